@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# gaunt_family(<name>): one feature, whose files share a stem. All of them must be there.
+function(gaunt_family name)
+  foreach(file
+      src/${name}/${name}.h src/${name}/${name}-inl.h src/${name}/${name}.cc
+      src/${name}/${name}_reference.h src/${name}/${name}_reference.cc
+      src/${name}/${name}_count.cc
+      capi/${name}.cc tests/${name}_test.cc bench/${name}_bench.cc)
+    if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${file})
+      message(FATAL_ERROR "family ${name} lacks ${file}")
+    endif()
+  endforeach()
+  target_sources(gaunt_objects PRIVATE src/${name}/${name}.cc capi/${name}.cc)
+  target_sources(gaunt_reference PRIVATE src/${name}/${name}_reference.cc)
+  target_sources(gaunt_count PRIVATE src/${name}/${name}_count.cc)
+  if(GAUNT_TESTS)
+    gaunt_test(${name}_test tests/${name}_test.cc)
+  endif()
+  if(GAUNT_BENCH)
+    target_sources(gaunt_bench PRIVATE bench/${name}_bench.cc)
+  endif()
+endfunction()

@@ -1,0 +1,497 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * gaunt: spherical-harmonic (SH) lighting at SIMD speed. This header is the manual.
+ *
+ * CONVENTIONS, the same everywhere
+ *   order n       number of bands l = 0 .. n-1; n^2 coefficients (Sloan, D3DX). Not the degree.
+ *   coefficient   i = l(l+1) + m, m = -l .. l
+ *   sign          Sloan's, with the Condon-Shortley phase: y_1 = sqrt(3/(4 pi)) (-y, z, -x)
+ *   scale         orthonormal: the integral of y_i y_j over the sphere is 1 if i = j, else 0
+ *   axes          right-handed, z is the zonal axis. Without rotation or an image, any axes will do.
+ *   rotation      f'(s) = f(R^-1 s): a lobe at direction d moves to R d
+ *   quantity      each function says what it takes and gives: radiance L, irradiance E, or E/pi (what
+ *                 a white diffuse surface sends out)
+ *   angle         radians
+ *
+ * BATCHES
+ *   item          probe, direction, light or object; `count` of them go in one call
+ *   plane         one float per item. Coefficients of channels are planes channel * n^2 + i.
+ *   gaunt_view    where the planes of a batch lie in memory: planar, interleaved, tiled, broadcast, or
+ *                 any strides. All layouts give the same bits. Tiles of 16 items are the fastest.
+ *
+ * ALL FUNCTIONS
+ *   return GAUNT_OK or a negative status, and write nothing when they fail. They allocate nothing, keep
+ *   no state but the chosen SIMD target, and may be called from any thread. Arguments are checked in
+ *   constant time: null pointers, orders, layouts, ranges, overlap. With count 0 the views may be
+ *   NULL. A NaN or an infinity makes the outputs of its own item unspecified, never a neighbour's,
+ *   unless the entry says what it does with them. Nothing outside the described elements is read or
+ *   written, and no alignment beyond that of float is needed.
+ *
+ * OVERLAP
+ *   An output may be the same view as an input only where the entry says "in place". Otherwise views
+ *   whose bytes may meet are refused, except fields of one record: views of equal item and tile strides
+ *   whose planes are disjoint inside one item (or inside one tile).
+ *
+ * ACCURACY
+ *   Stated figures are tested on every SIMD target against definitions in double precision. Targets
+ *   with fused multiply-add (AVX2, AVX3, NEON, SVE) give equal bits for finite data, and so do the
+ *   others among themselves; image projection is exempt.
+ */
+#ifndef GAUNT_GAUNT_H_
+#define GAUNT_GAUNT_H_
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifndef GAUNT_API
+#if defined(_WIN32) && defined(GAUNT_SHARED)
+#ifdef GAUNT_BUILDING
+#define GAUNT_API __declspec(dllexport)
+#else
+#define GAUNT_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define GAUNT_API __attribute__((visibility("default")))
+#else
+#define GAUNT_API
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- base ------------------------------------------------------------------------------------ */
+
+#define GAUNT_VERSION_MAJOR 0
+#define GAUNT_VERSION_MINOR 1
+#define GAUNT_VERSION_PATCH 0
+/** major * 10000 + minor * 100 + patch */
+#define GAUNT_VERSION \
+  (GAUNT_VERSION_MAJOR * 10000 + GAUNT_VERSION_MINOR * 100 + GAUNT_VERSION_PATCH)
+
+/** Highest order of the basis, of evaluation and of projection in this version. */
+#define GAUNT_MAX_ORDER 6
+/** Highest order of rotation in this version. */
+#define GAUNT_MAX_ROTATE_ORDER 3
+#define GAUNT_MAX_CHANNELS 4
+
+/** Status of a call. Values never change. */
+typedef int32_t gaunt_status;
+enum {
+  GAUNT_OK = 0,
+  GAUNT_ERROR_NULL = -1,    /**< a pointer that must not be NULL is */
+  GAUNT_ERROR_ORDER = -2,   /**< an order that the function does not have */
+  GAUNT_ERROR_LAYOUT = -3,  /**< strides that are not multiples of 4, data that is not aligned to
+                                 float, an output whose elements overlap each other, or a broadcast
+                                 output */
+  GAUNT_ERROR_RANGE = -4,   /**< a count, size or number out of its range */
+  GAUNT_ERROR_OVERLAP = -5, /**< an output that may meet an input or another output */
+  GAUNT_ERROR_FORMAT = -6,  /**< an unknown probe format or texel type */
+  GAUNT_ERROR_STRUCT = -7,  /**< a struct_size that no version of the struct has had */
+  GAUNT_ERROR_TARGET = -8   /**< a SIMD target that is unknown or does not run here */
+};
+
+/** Version of the library in use: GAUNT_VERSION of the header that it was built with. */
+GAUNT_API uint32_t gaunt_version(void);
+
+/** What a status means, in English; never NULL. */
+GAUNT_API const char* gaunt_status_string(gaunt_status status);
+
+/** Name of the SIMD target in use: "AVX3" (AVX-512), "AVX2", "SSE4", "SSSE3", "NEON", "SVE" ... */
+GAUNT_API const char* gaunt_target_name(void);
+
+/** Name of the index-th target that can be selected here, best first; NULL past the end. */
+GAUNT_API const char* gaunt_target_supported(uint32_t index);
+
+/**
+ * Chooses the SIMD target by name. NULL goes back to the target that is chosen at first use: the one
+ * named by the environment variable GAUNT_TARGET if it can be selected, else the best.
+ *
+ * Calls that run at the same time may still use the target from before.
+ * Returns GAUNT_OK; GAUNT_ERROR_TARGET, and the choice stays.
+ */
+GAUNT_API gaunt_status gaunt_target_select(const char* name);
+
+/**
+ * Where the elements of a batch lie: plane p of item i is the float at
+ *   data + (i / tile_items) * tile_stride + (i % tile_items) * item_stride + p * plane_stride
+ * with strides in bytes, multiples of 4, possibly negative. tile_items 0: one tile holds everything.
+ *
+ *   planar (SoA)        item 4, plane any; see gaunt_plane_stride()
+ *   interleaved (AoS)   item 4 * planes, plane 4
+ *   tiled (AoSoA)       tile_items 16, item 4, plane 64, tile 64 * planes: the fastest
+ *   broadcast (inputs)  item 0, tile 0: the same item for every i
+ *
+ * Inputs are never written. Strides are ignored where only one item or one plane exists.
+ */
+typedef struct gaunt_view {
+  float* data;
+  ptrdiff_t item_stride;
+  ptrdiff_t plane_stride;
+  ptrdiff_t tile_stride;
+  size_t tile_items;
+} gaunt_view;
+
+/** Items of a tile in the layout of gaunt_view_tiled(). */
+#define GAUNT_TILE_ITEMS 16
+
+/**
+ * Bytes from plane to plane for planar data of `count` items: the least odd multiple of 64 that holds
+ * them. Planes a power of two apart would all fall into the same few cache lines.
+ */
+GAUNT_API size_t gaunt_plane_stride(size_t count);
+
+/** Planes of contiguous items, plane_stride bytes apart. GAUNT_ERROR_NULL if view is NULL. */
+GAUNT_API gaunt_status gaunt_view_planar(float* data, ptrdiff_t plane_stride, gaunt_view* view);
+
+/** Items of `planes` contiguous floats, back to back. GAUNT_ERROR_NULL if view is NULL. */
+GAUNT_API gaunt_status gaunt_view_interleaved(float* data, size_t planes, gaunt_view* view);
+
+/**
+ * Tiles of GAUNT_TILE_ITEMS items; the data holds a whole number of tiles, 64 * planes bytes each.
+ * GAUNT_ERROR_NULL if view is NULL.
+ */
+GAUNT_API gaunt_status gaunt_view_tiled(float* data, size_t planes, gaunt_view* view);
+
+/** One item of contiguous planes for every i; for inputs only. GAUNT_ERROR_NULL if view is NULL. */
+GAUNT_API gaunt_status gaunt_view_broadcast(float* data, gaunt_view* view);
+
+/* ---- basis ----------------------------------------------------------------------------------- */
+
+/**
+ * Evaluates the SH basis: out(i, l(l+1)+m) = y_lm(directions(i)).
+ *
+ * n           order, 1 .. GAUNT_MAX_ORDER
+ * count       directions
+ * directions  3 planes x, y, z; unit vectors. They are taken as given: a length of 1 + e adds an
+ *             error of about 14 |e| at order 6.
+ * out         n^2 planes
+ *
+ * Accuracy:  |error| <= 1.2e-6 at order 6 (4e-7 at order 3) for directions of length 1 within 1e-7.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_basis_eval(uint32_t n, size_t count, const gaunt_view* directions,
+                                        const gaunt_view* out);
+
+/* ---- evaluate -------------------------------------------------------------------------------- */
+
+/**
+ * Evaluates SH functions: out(i, c) = sum over lm of f_lm,c(i) y_lm(directions(i)).
+ *
+ * n             order, 1 .. GAUNT_MAX_ORDER
+ * channels      1 .. GAUNT_MAX_CHANNELS
+ * count         pairs of a function and a direction; broadcast either for one with many
+ * coefficients  channels * n^2 planes
+ * directions    3 planes, unit vectors
+ * out           `channels` planes, in the quantity of the coefficients
+ *
+ * Accuracy:  |error| <= 2e-6 |f| at order 6, with |f| the norm of the channel's coefficients.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_sh_evaluate(uint32_t n, uint32_t channels, size_t count,
+                                         const gaunt_view* coefficients,
+                                         const gaunt_view* directions, const gaunt_view* out);
+
+/**
+ * Evaluates the irradiance of radiance coefficients, as E/pi:
+ *   out(i, c) = sum over lm of (A_l / pi) L_lm,c(i) y_lm(normals(i)),
+ *   A_l / pi = 1, 2/3, 1/4, 0, -1/24, 0 ...   (Ramamoorthi and Hanrahan 2001)
+ *
+ * Arguments, overlap and status as for gaunt_sh_evaluate().
+ *
+ * Accuracy:  |error| <= 1e-6 |L|, with |L| the norm of the channel's coefficients.
+ */
+GAUNT_API gaunt_status gaunt_irradiance_evaluate(uint32_t n, uint32_t channels, size_t count,
+                                                 const gaunt_view* radiance,
+                                                 const gaunt_view* normals,
+                                                 const gaunt_view* out);
+
+/**
+ * Turns RGB radiance of order 3 into the 7 float4 that shaders evaluate E/pi from (the shape that
+ * Unity and Unreal use). With out = A_r A_g A_b B_r B_g B_b C, each a float4, and a normal (x, y, z):
+ *   E/pi of channel c = dot(A_c, (x, y, z, 1)) + dot(B_c, (xy, yz, zz, zx)) + C_c (xx - yy)
+ *   A = (-C1 L3, -C1 L1, C1 L2, C0 L0 - C3 L6), B = (C2 L4, -C2 L5, 3 C3 L6, -C2 L7), C_c = C4 L8,
+ *   C0 = 1/(2 sqrt(pi)), C1 = sqrt(3)/(3 sqrt(pi)), C2 = sqrt(15)/(8 sqrt(pi)),
+ *   C3 = sqrt(5)/(16 sqrt(pi)), C4 = C2/2         (Sloan 2008, appendix A10); the last float is 1
+ *
+ * n         order of the radiance; 3
+ * count     probes or objects
+ * radiance  27 planes
+ * out       28 planes. Interleaved, an item is the 112 bytes that a constant buffer takes.
+ *
+ * Accuracy:  |error| of a constant <= 1e-7 of the channel's largest coefficient.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_irradiance_constants(uint32_t n, size_t count,
+                                                  const gaunt_view* radiance,
+                                                  const gaunt_view* out);
+
+/**
+ * Blends coefficients: out = (1 - t) a + t b, exactly a at t = 0 and exactly b at t = 1.
+ *
+ * n         order, 1 .. 64: the planes are independent of each other
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     items
+ * a, b      channels * n^2 planes
+ * t         1 plane; broadcast for one weight
+ * out       channels * n^2 planes
+ *
+ * Accuracy:  |error| <= 1.2e-7 (|a| + |b|) for t in [0, 1].
+ * Overlap:   in place on a or on b.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_sh_blend(uint32_t n, uint32_t channels, size_t count,
+                                      const gaunt_view* a, const gaunt_view* b,
+                                      const gaunt_view* t, const gaunt_view* out);
+
+/* ---- project --------------------------------------------------------------------------------- */
+
+enum { GAUNT_TEXEL_F32 = 0 };
+
+/** An image in memory. The channels of a texel lie back to back. */
+typedef struct gaunt_image {
+  const void* pixels;     /**< first texel of the first row */
+  uint32_t width;         /**< texels, 1 .. 65536 */
+  uint32_t height;        /**< rows, 1 .. 65536 */
+  ptrdiff_t pixel_stride; /**< bytes, a multiple of 4; at least the size of a texel, or negative */
+  ptrdiff_t row_stride;   /**< bytes, a multiple of 4; may be negative */
+  uint32_t type;          /**< GAUNT_TEXEL_F32 */
+} gaunt_image;
+
+enum {
+  /** Texels that are negative or not finite count as 0. Without it a NaN spreads to every output. */
+  GAUNT_PROJECT_CLAMP = 1
+};
+
+typedef struct gaunt_project_options {
+  uint32_t struct_size; /**< sizeof(gaunt_project_options) */
+  uint32_t flags;       /**< any of GAUNT_PROJECT_* */
+} gaunt_project_options;
+
+/**
+ * Projects an equirectangular (latitude-longitude) panorama:
+ *   out(c, lm) = sum over texels of value_c y_lm(direction) solid_angle,
+ * with the value taken at the texel's centre and the exact solid angle of a texel of its row:
+ *   direction = (sin th cos ph, sin th sin ph, cos th), th = pi (row + 1/2) / height,
+ *   ph = pi - 2 pi (column + 1/2) / width,  solid angle = (2 pi / width) (cos th_0 - cos th_1).
+ * So the top row is +z, the centre looks at +x, and right of it is -y, as seen from inside. For axes
+ * with y up, rotate the result.
+ *
+ * n         order, 1 .. GAUNT_MAX_ORDER
+ * channels  1 .. GAUNT_MAX_CHANNELS; further channels of the texels are skipped by pixel_stride
+ * image     width, height at least 1; any sizes
+ * options   NULL for defaults
+ * out       channels * n^2 planes of 1 item, in the quantity of the texels (radiance)
+ *
+ * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi. Sums are kept in double.
+ * Overlap:   none is checked; the image must not be the output.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _FORMAT, _STRUCT.
+ */
+GAUNT_API gaunt_status gaunt_project_equirect(uint32_t n, uint32_t channels,
+                                              const gaunt_image* image,
+                                              const gaunt_project_options* options,
+                                              const gaunt_view* out);
+
+/* ---- rotate ---------------------------------------------------------------------------------- */
+
+/**
+ * Rotates SH functions by quaternions: out(s) = in(R^-1 s), so that a lobe at d moves to R d.
+ *
+ * n            order, 1 .. GAUNT_MAX_ROTATE_ORDER
+ * channels     1 .. GAUNT_MAX_CHANNELS
+ * count        items; broadcast the quaternion to rotate all of them alike
+ * quaternions  4 planes x, y, z, w, of any length within 1e-18 .. 1e18: they are normalised. A zero
+ *              quaternion is the identity.
+ * in, out      channels * n^2 planes
+ *
+ * Accuracy:  |error| <= 2e-6 for coefficients in [-1, 1].
+ * Overlap:   in place on `in`.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_rotate(uint32_t n, uint32_t channels, size_t count,
+                                    const gaunt_view* quaternions, const gaunt_view* in,
+                                    const gaunt_view* out);
+
+/**
+ * Rotates SH functions by 3x3 matrices, as gaunt_rotate() does by quaternions.
+ *
+ * matrices  9 planes, row-major: v' = R v. They must be orthonormal and are not checked; a matrix that
+ *           is off by e gives coefficients off by about 2 e. A determinant of -1 mirrors.
+ *
+ * Accuracy:  |error| <= 2e-6 for coefficients in [-1, 1].
+ */
+GAUNT_API gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t count,
+                                           const gaunt_view* matrices, const gaunt_view* in,
+                                           const gaunt_view* out);
+
+/* ---- light ----------------------------------------------------------------------------------- */
+
+/**
+ * Finds the direction of the dominant light: the optimal linear direction (-f_3, -f_1, f_2) / |.| of
+ * the channels' weighted sum (Sloan 2008). It points towards the light.
+ *
+ * n           order of the coefficients, 2 .. GAUNT_MAX_ORDER; only bands 0 and 1 are read
+ * channels    1 .. GAUNT_MAX_CHANNELS
+ * count       items
+ * in          channels * n^2 planes, radiance or irradiance
+ * weights     one per channel; NULL: Rec. 709 luminance for 3 channels, else all 1
+ * directions  3 planes, unit vectors
+ *
+ * Where band 1 is below 1e-5 of band 0, zero, or not a number, the direction is (0, 0, 1).
+ *
+ * Accuracy:  |error| <= 4e-7 / r, with r = |band 1| / |band 0| of the weighted sum of magnitudes, at
+ *            most 1; components from 1e-37 to 1e37.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_light_direction(uint32_t n, uint32_t channels, size_t count,
+                                             const gaunt_view* in, const float* weights,
+                                             const gaunt_view* directions);
+
+enum {
+  GAUNT_SENSE_RADIANCE = 0,  /**< the fit is closest in radiance */
+  GAUNT_SENSE_IRRADIANCE = 1 /**< the fit is closest in irradiance: what diffuse surfaces show */
+};
+
+/**
+ * Takes directional lights and an ambient light out of radiance: the least-squares fit, over the
+ * sphere, of
+ *   radiance (or its irradiance)  ~  sum over k of colour_k light(d_k) + ambient,
+ * where light(d) of order n reflects E/pi = 1 at its own direction, and ambient 1 reflects 1. Colours
+ * are at least 0: a light that would be negative is left out; if the ambient light would be negative, it
+ * is left out and the colour is fitted alone.
+ *
+ * n           order, 2 .. GAUNT_MAX_ORDER
+ * channels    1 .. GAUNT_MAX_CHANNELS
+ * lights      1 in this version
+ * sense       GAUNT_SENSE_*
+ * count       items
+ * in          channels * n^2 planes, radiance
+ * directions  3 planes per light, light-major; unit vectors, as of gaunt_light_direction()
+ * colours     `channels` planes per light, light-major
+ * ambient     `channels` planes
+ *
+ * A NaN in the coefficients gives colour 0, ambient 0.
+ *
+ * Accuracy:  |error| <= 1e-6 of the norm of the channel's coefficients.
+ * Overlap:   none.
+ * Source:    Sloan 2008, appendix A5, for every order: colour = dot(light^, f^) / |light^|^2 without
+ *            the means, ambient from what the means leave; ^ is the convolution with the cosine.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_light_extract(uint32_t n, uint32_t channels, uint32_t lights,
+                                           uint32_t sense, size_t count, const gaunt_view* in,
+                                           const gaunt_view* directions, const gaunt_view* colours,
+                                           const gaunt_view* ambient);
+
+/* ---- probe ----------------------------------------------------------------------------------- */
+
+/** Packed probe formats. Values never change. */
+enum {
+  /**
+   * RGB, order 3, 28 bytes, any alignment, little-endian:
+   *   bytes 0-3    RGB9E5 of L_0 of R, G, B: mantissas in bits 0-8, 9-17, 18-26, exponent e in bits
+   *                27-31; value = mantissa * 2^(e - 24)
+   *   bytes 4-11   q_1 .. q_8 of R, as int8; bytes 12-19 of G; bytes 20-27 of B
+   *   L_i = L_0 bound_i q_i / 127, bound = sqrt(3) for i = 1..3, sqrt(5) for 6, sqrt(15)/2 for the rest:
+   *   the largest ratios that any non-negative light has. -128 is never written.
+   */
+  GAUNT_FORMAT_SH3_28 = 1
+};
+
+typedef struct gaunt_format_properties {
+  uint32_t struct_size; /**< sizeof(gaunt_format_properties), set before the call */
+  uint32_t bytes;       /**< of a record; records may lie any number of bytes apart from here up */
+  uint32_t order;       /**< of the coefficients */
+  uint32_t planes;      /**< channels * order^2 */
+} gaunt_format_properties;
+
+/**
+ * Describes a packed format.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _STRUCT, _FORMAT.
+ */
+GAUNT_API gaunt_status gaunt_format_info(uint32_t format, gaunt_format_properties* properties);
+
+/** Planes of the report of gaunt_probe_encode(). */
+enum {
+  GAUNT_REPORT_RMS = 0,     /**< RMS error of E/pi over the sphere and the channels */
+  GAUNT_REPORT_MAX = 1,     /**< no error of E/pi is larger, in any direction and channel */
+  GAUNT_REPORT_CLAMPED = 2, /**< coefficients that the format's range cut off */
+  GAUNT_REPORT_PLANES = 3
+};
+
+/**
+ * Packs radiance probes. Means are rounded first; ratios are taken to the decoded mean, clamped, and
+ * rounded to nearest. The report is computed from the decoded bytes:
+ *   RMS = sqrt(sum of (A_l/pi)^2 d_lm^2 / (4 pi channels)),
+ *   MAX = largest over channels of sum over l of (A_l/pi) |d_l| sqrt((2l+1)/(4 pi)),
+ * where d is the difference of the coefficients.
+ *
+ * format  GAUNT_FORMAT_*
+ * count   probes
+ * in      planes of the format: radiance
+ * packed  count records, written in full; not NULL unless count is 0
+ * stride  bytes from record to record, at least the size of one; bytes between records stay
+ * report  GAUNT_REPORT_PLANES planes, or NULL
+ *
+ * A negative mean or a NaN becomes 0, means end at 65408, and a probe whose mean is 0 becomes black.
+ *
+ * Accuracy:  means within half a unit of the mantissa of the largest channel; ratios within 0.5001 of
+ *            a step.
+ * Overlap:   none between in, report and packed.
+ * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_probe_encode(uint32_t format, size_t count, const gaunt_view* in,
+                                          void* packed, size_t stride, const gaunt_view* report);
+
+/**
+ * Unpacks probes to radiance coefficients. Any bytes decode to finite values.
+ *
+ * format  GAUNT_FORMAT_*
+ * count   probes
+ * packed  count records, `stride` bytes apart
+ * out     planes of the format
+ *
+ * Accuracy:  |error| <= 2.4e-7 of the decoded mean times the coefficient's bound.
+ * Overlap:   none between packed and out.
+ * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_probe_decode(uint32_t format, size_t count, const void* packed,
+                                          size_t stride, const gaunt_view* out);
+
+/** An index that stands for no probe. */
+#define GAUNT_NO_PROBE UINT32_MAX
+
+/**
+ * Decodes and blends packed probes: out(i) = sum over t of weights[i taps + t] probe(indices[i taps + t]).
+ * Eight taps are the corners of a grid cell, four those of a tetrahedron.
+ *
+ * format        GAUNT_FORMAT_*
+ * n_out         order of the output, 1 .. the format's: higher bands are dropped
+ * count         items
+ * taps          probes per item, 1 .. 65536
+ * indices       count * taps. One that is not below packed_count, such as GAUNT_NO_PROBE, contributes
+ *               nothing, whatever its weight.
+ * weights       count * taps. They are not renormalised.
+ * packed        packed_count records, `stride` bytes apart; may be NULL if packed_count is 0
+ * out           channels of the format * n_out^2 planes: radiance
+ *
+ * Accuracy:  |error| <= 1e-6 of the sum of |weight| times the largest coefficient of the tap's probe.
+ * Overlap:   none between out and the inputs.
+ * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_probe_gather(uint32_t format, uint32_t n_out, size_t count,
+                                          uint32_t taps, const uint32_t* indices,
+                                          const float* weights, const void* packed,
+                                          size_t packed_count, size_t stride,
+                                          const gaunt_view* out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* GAUNT_GAUNT_H_ */

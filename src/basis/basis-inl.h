@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Kernels of the SH basis: normalised recurrences over bands for each |m|, unrolled at compile time.
+#if defined(GAUNT_BASIS_BASIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GAUNT_BASIS_BASIS_INL_H_
+#undef GAUNT_BASIS_BASIS_INL_H_
+#else
+#define GAUNT_BASIS_BASIS_INL_H_
+#endif
+
+#include "basis/constants.h"
+#include "simd/lanes-inl.h"
+#include "simd/order.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gaunt::basis::HWY_NAMESPACE {
+
+using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
+
+// y_lm of one direction for all l < n:
+//   y_l^m = q_l^m(z) c_m(x, y),   y_l^-m = q_l^m(z) s_m(x, y),
+// where c_m + i s_m = (-1)^m sqrt2 (x + i y)^m and q_l^m is the associated Legendre function without
+// its sin^m, times the norm. q is kept scaled so that the first row of each column is one constant.
+template <int n>
+struct Eval {
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& direction, Out&& out) const {
+    using V = typename K::V;
+    const V z = direction(2);
+    V z2 = z;
+    if constexpr (n > 2) z2 = Mul(z, z);
+    out(0, k(kSectoral<0>));
+    if constexpr (n > 1) {
+      Zonal<1>(k, z, z2, k(kSectoral<0>), k(kSectoral<0>), out);
+      const V x = direction(0), y = direction(1);
+      Column<1>(k, x, y, z, z2, x, y, out);
+    }
+  }
+
+ private:
+  // Bands l.. of m = 0, from the two bands below.
+  template <int l, class K, class V, class Out>
+  static GAUNT_LANES void Zonal(const K& k, V z, V z2, V below, V below2, Out& out) {
+    V value;
+    if constexpr (l == 1) {
+      value = Mul(k(kFirst<0>), z);
+    } else if constexpr (l == 2) {
+      value = MulAdd(k(kSecondSquare<0>), z2, k(kSecondConstant<0>));
+    } else {
+      value = Step<l, 0>(k, z, below, below2);
+    }
+    out(CoefficientIndex(l, 0), value);
+    if constexpr (l + 1 < n) Zonal<l + 1>(k, z, z2, value, below, out);
+  }
+
+  // Bands m.. of +-m; c and s are Re and Im of (x + i y)^m.
+  template <int m, class K, class V, class Out>
+  static GAUNT_LANES void Column(const K& k, V x, V y, V z, V z2, V c, V s, Out& out) {
+    out(CoefficientIndex(m, m), Mul(k(kSectoral<m>), c));
+    out(CoefficientIndex(m, -m), Mul(k(kSectoral<m>), s));
+    if constexpr (m + 1 < n) {
+      const V first = Mul(k(kFirst<m>), z);
+      Pair<m + 1, m>(first, c, s, out);
+      if constexpr (m + 2 < n) {
+        const V second = MulAdd(k(kSecondSquare<m>), z2, k(kSecondConstant<m>));
+        Pair<m + 2, m>(second, c, s, out);
+        if constexpr (m + 3 < n) Bands<m + 3, m>(k, z, second, first, c, s, out);
+      }
+      // (x + i y)^(m+1)
+      const V next_c = MulSub(x, c, Mul(y, s));
+      const V next_s = MulAdd(x, s, Mul(y, c));
+      Column<m + 1>(k, x, y, z, z2, next_c, next_s, out);
+    }
+  }
+
+  template <int l, int m, class K, class V, class Out>
+  static GAUNT_LANES void Bands(const K& k, V z, V below, V below2, V c, V s, Out& out) {
+    const V value = Step<l, m>(k, z, below, below2);
+    Pair<l, m>(value, c, s, out);
+    if constexpr (l + 1 < n) Bands<l + 1, m>(k, z, value, below, c, s, out);
+  }
+
+  // q_l = a (z q_{l-1} - b q_{l-2})
+  template <int l, int m, class K, class V>
+  static GAUNT_LANES V Step(const K& k, V z, V below, V below2) {
+    return MulSub(Mul(k(kStep<l, m>), z), below, Mul(k(kStepBack<l, m>), below2));
+  }
+
+  template <int l, int m, class V, class Out>
+  static GAUNT_LANES void Pair(V q, V c, V s, Out& out) {
+    out(CoefficientIndex(l, m), Mul(q, c));
+    out(CoefficientIndex(l, -m), Mul(q, s));
+  }
+};
+
+}  // namespace gaunt::basis::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GAUNT_BASIS_BASIS_INL_H_

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Constants of the basis recurrences, computed at compile time from the normalisation
+//   K_l^m = sqrt((2l+1)/(4 pi) (l-m)!/(l+m)!),
+// and carried inside the recurrence so that nothing overflows at any order.
+#ifndef GAUNT_BASIS_CONSTANTS_H_
+#define GAUNT_BASIS_CONSTANTS_H_
+
+namespace gaunt {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+// Newton's iteration; std::sqrt is not a constant expression.
+constexpr double ConstexprSqrt(double x) {
+  if (x <= 0.0) return 0.0;
+  double root = x > 1.0 ? x : 1.0;
+  for (double before = 0.0; root != before;) {
+    before = root;
+    const double next = 0.5 * (root + x / root);
+    if (next >= root) break;  // converged from above
+    root = next;
+  }
+  return root;
+}
+
+namespace basis {
+
+// y_m^m = kSectoral<m> Re (x + i y)^m, y_m^-m = kSectoral<m> Im (x + i y)^m: the sign (-1)^m of the
+// Condon-Shortley phase, sqrt(2) for m > 0, and K_m^m (2m-1)!!.
+constexpr double Sectoral(int m) {
+  double value = ConstexprSqrt(1.0 / (4.0 * kPi));
+  for (int i = 1; i <= m; ++i) value *= -ConstexprSqrt((2.0 * i + 1.0) / (2.0 * i));
+  return m == 0 ? value : value * ConstexprSqrt(2.0);
+}
+
+// q_l^m = a_lm z q_{l-1}^m - a_lm b_lm q_{l-2}^m
+constexpr double StepForward(int l, int m) {
+  return ConstexprSqrt((4.0 * l * l - 1.0) / (1.0 * l * l - 1.0 * m * m));
+}
+constexpr double StepBackward(int l, int m) {
+  const double below = l - 1.0;
+  return ConstexprSqrt((below * below - 1.0 * m * m) / (4.0 * below * below - 1.0));
+}
+
+template <int m>
+inline constexpr double kSectoral = Sectoral(m);
+template <int l, int m>
+inline constexpr double kStep = StepForward(l, m);
+template <int l, int m>
+inline constexpr double kStepBack = StepForward(l, m) * StepBackward(l, m);
+
+// The first two steps of a column, where q_m^m is a constant:
+//   q_{m+1} = kFirst z,   q_{m+2} = kSecondSquare z^2 + kSecondConstant.
+template <int m>
+inline constexpr double kFirst = Sectoral(m) * StepForward(m + 1, m);
+template <int m>
+inline constexpr double kSecondSquare = Sectoral(m) * StepForward(m + 1, m) * StepForward(m + 2, m);
+template <int m>
+inline constexpr double kSecondConstant =
+    -Sectoral(m) * StepForward(m + 2, m) * StepBackward(m + 2, m);
+
+}  // namespace basis
+}  // namespace gaunt
+
+#endif  // GAUNT_BASIS_CONSTANTS_H_

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The gather driver: decodes and blends packed records. Objects go by groups of 8 in two phases,
+// first every tap's weighted means in lanes over objects, then the ratios of each tap in lanes over
+// the ratios, so that the misses of many taps overlap. Rows of ratios become planes once per tile.
+#if defined(GAUNT_PROBE_GATHER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GAUNT_PROBE_GATHER_INL_H_
+#undef GAUNT_PROBE_GATHER_INL_H_
+#else
+#define GAUNT_PROBE_GATHER_INL_H_
+#endif
+
+#include <algorithm>
+#include <cstring>
+
+#include "probe/probe-inl.h"
+#include "probe/probe.h"
+#include "simd/batch-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gaunt::probe::HWY_NAMESPACE {
+
+inline constexpr size_t kGroup = 8;        // objects
+inline constexpr size_t kTapChunk = 8;     // taps held at a time
+inline constexpr size_t kTile = 4 * kGroup;  // objects
+inline constexpr size_t kRow = Sh3::kChannels * Sh3::kRatios;
+
+// What stands in for a record that contributes nothing.
+inline constexpr uint8_t kNoRecord[Sh3::kBytes] = {};
+
+// Where taps come from: record and weight of tap t of item i.
+struct EachRecord {
+  PackedProbes packed;
+  GAUNT_LANES const uint8_t* operator()(size_t i, size_t, float& weight) const {
+    weight = 1.0f;
+    return packed.data + i * packed.stride;
+  }
+};
+struct TapRecord {
+  Taps taps;
+  PackedProbes packed;
+  GAUNT_LANES const uint8_t* operator()(size_t i, size_t t, float& weight) const {
+    const size_t tap = i * taps.count + t;
+    const size_t index = taps.indices[tap];
+    const bool valid = index < packed.count;
+    weight = valid ? taps.weights[tap] : 0.0f;
+    return valid ? packed.data + index * packed.stride : kNoRecord;
+  }
+};
+
+// Taps of a group of objects, and what phase one makes of them: [tap][object].
+struct GroupTaps {
+  const uint8_t* records[kTapChunk][kGroup];
+  HWY_ALIGN uint32_t words[kTapChunk][kGroup];
+  HWY_ALIGN float weights[kTapChunk][kGroup];
+  HWY_ALIGN float means[kTapChunk][Sh3::kChannels][kGroup];
+};
+
+// Phase two for one object; kTaps 0 stands for a number known at run time.
+template <size_t kTaps>
+GAUNT_LANES void SumRatios(const GroupTaps& group, size_t object, size_t taps, bool first,
+                           float* row) {
+  const RecordLanes k;
+  using V = RecordLanes::V;
+  for (size_t i = 0; i < Sh3::kRatios; i += hn::Lanes(RecordLanes::D())) {
+    V r = k.Zero(), g = k.Zero(), b = k.Zero();
+    if (!first) {
+      r = k.Load(row + i);
+      g = k.Load(row + Sh3::kRatios + i);
+      b = k.Load(row + 2 * Sh3::kRatios + i);
+    }
+    for (size_t t = 0; t < (kTaps == 0 ? taps : kTaps); ++t) {
+      const auto& means = group.means[t];
+      AddRatios(k, group.records[t][object] + Sh3::kRatiosOffset + i, k.Splat(means[0][object]),
+                k.Splat(means[1][object]), k.Splat(means[2][object]), r, g, b);
+    }
+    k.Store(r, row + i);
+    k.Store(g, row + Sh3::kRatios + i);
+    k.Store(b, row + 2 * Sh3::kRatios + i);
+  }
+}
+
+template <size_t kTaps>
+HWY_NOINLINE void SumGroup(const GroupTaps& group, size_t taps, bool first, float* rows) {
+  for (size_t object = 0; object < kGroup; ++object) {
+    SumRatios<kTaps>(group, object, taps, first, rows + object * kRow);
+  }
+}
+
+// Phase one for a group: weighted means of each tap, and their sum.
+inline HWY_NOINLINE void SumMeans(GroupTaps& group, size_t taps, bool first, float* const means[3]) {
+  const RecordLanes k;
+  using V = RecordLanes::V;
+  for (size_t o = 0; o < kGroup; o += hn::Lanes(RecordLanes::D())) {
+    V sum_r = k.Zero(), sum_g = k.Zero(), sum_b = k.Zero();
+    if (!first) {
+      sum_r = k.Load(means[0] + o);
+      sum_g = k.Load(means[1] + o);
+      sum_b = k.Load(means[2] + o);
+    }
+    for (size_t t = 0; t < taps; ++t) {
+      V r, g, b;
+      WeightedMeans(k, k.LoadWord(group.words[t] + o), k.Load(group.weights[t] + o), r, g, b);
+      k.Store(r, group.means[t][0] + o);
+      k.Store(g, group.means[t][1] + o);
+      k.Store(b, group.means[t][2] + o);
+      sum_r = Add(sum_r, r);
+      sum_g = Add(sum_g, g);
+      sum_b = Add(sum_b, b);
+    }
+    k.Store(sum_r, means[0] + o);
+    k.Store(sum_g, means[1] + o);
+    k.Store(sum_b, means[2] + o);
+  }
+}
+
+template <class Source>
+HWY_NOINLINE void FetchTaps(const Source& source, size_t first_item, size_t items,
+                            size_t first_tap, size_t taps, GroupTaps& group) {
+  for (size_t o = 0; o < kGroup; ++o) {
+    for (size_t t = 0; t < taps; ++t) {
+      float weight = 0.0f;
+      const uint8_t* record =
+          o < items ? source(first_item + o, first_tap + t, weight) : kNoRecord;
+      group.records[t][o] = record;
+      group.weights[t][o] = weight;
+      std::memcpy(&group.words[t][o], record, sizeof(uint32_t));
+    }
+  }
+}
+
+// out of item i = sum over its taps of weight times decoded record, bands below n only.
+template <int n, class Source>
+void GatherRecords(size_t count, size_t taps, const Source& source, const simd::OutView& out) {
+  HWY_ALIGN float rows[kTile * kRow];
+  HWY_ALIGN float means[Sh3::kChannels * kTile];
+  constexpr size_t kPlanes = Sh3::kChannels * NumCoefficients(n);
+  for (size_t done = 0; done < count; done += kTile) {
+    const size_t tile = std::min(kTile, count - done);
+    for (size_t o = 0; o < tile; o += kGroup) {
+      const size_t items = std::min(kGroup, tile - o);
+      float* const group_means[3] = {means + o, means + kTile + o, means + 2 * kTile + o};
+      float* const group_rows = rows + o * kRow;
+      for (size_t t = 0; t == 0 || t < taps; t += kTapChunk) {
+        const size_t chunk = std::min(kTapChunk, taps - t);
+        GroupTaps group;
+        FetchTaps(source, done + o, items, t, chunk, group);
+        SumMeans(group, chunk, t == 0, group_means);
+        switch (chunk) {
+          case 1: SumGroup<1>(group, 1, t == 0, group_rows); break;
+          case 4: SumGroup<4>(group, 4, t == 0, group_rows); break;
+          case 8: SumGroup<8>(group, 8, t == 0, group_rows); break;
+          default: SumGroup<0>(group, chunk, t == 0, group_rows); break;
+        }
+      }
+    }
+    ForEachBatch(tile, FinishGather<n>(), In<kRow>(simd::InterleavedIn(rows, kRow)),
+                 In<Sh3::kChannels>(simd::PlanarIn(means, kTile)), Out<kPlanes>(out, kPlanes, done));
+  }
+}
+
+}  // namespace gaunt::probe::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GAUNT_PROBE_GATHER_INL_H_

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Packed probes: encoding, decoding, and blending of several of them.
+#ifndef GAUNT_PROBE_PROBE_H_
+#define GAUNT_PROBE_PROBE_H_
+
+#include <cstddef>
+#include <cstdint>
+
+#include "probe/format.h"
+#include "simd/view.h"
+
+namespace gaunt::probe {
+
+// Packed records, `stride` bytes apart.
+struct PackedProbes {
+  const uint8_t* data;
+  size_t count;
+  size_t stride;
+};
+
+// Probes to blend for each item: taps of item i begin at [i * taps].
+struct Taps {
+  size_t count;
+  const uint32_t* indices;
+  const float* weights;
+};
+
+inline constexpr size_t kReportPlanes = 3;
+
+struct Table {
+  // `report` is null or has kReportPlanes planes.
+  void (*encode)(size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
+                 const simd::OutView* report);
+  void (*decode)(size_t count, const PackedProbes& packed, const simd::OutView& out);
+  void (*gather[Sh3::kOrder + 1])(size_t count, const Taps& taps, const PackedProbes& packed,
+                                  const simd::OutView& out);  // [order of the output]
+};
+
+const Table& Kernels();
+
+}  // namespace gaunt::probe
+
+#endif  // GAUNT_PROBE_PROBE_H_

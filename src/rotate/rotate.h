@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Rotation of SH coefficients.
+#ifndef GAUNT_ROTATE_ROTATE_H_
+#define GAUNT_ROTATE_ROTATE_H_
+
+#include "simd/order.h"
+#include "simd/view.h"
+
+namespace gaunt::rotate {
+
+inline constexpr int kMaxOrder = 3;
+
+using RotateFn = void (*)(size_t channels, size_t count, const simd::InView& rotations,
+                          const simd::InView& in, const simd::OutView& out);
+
+struct Table {
+  RotateFn quaternion[kMaxOrder + 1];  // [order]; rotations are 4 planes x y z w
+  RotateFn matrix[kMaxOrder + 1];      // [order]; rotations are 9 planes, row-major
+};
+
+const Table& Kernels();
+
+}  // namespace gaunt::rotate
+
+#endif  // GAUNT_ROTATE_ROTATE_H_

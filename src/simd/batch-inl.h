@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The batch driver: runs a kernel over every item of a batch, in any layout. Whole groups of lanes
+// that lie contiguous in memory are used in place; foreign layouts and the tail go through a stack
+// tile and the same code of the kernel.
+#if defined(GAUNT_SIMD_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GAUNT_SIMD_BATCH_INL_H_
+#undef GAUNT_SIMD_BATCH_INL_H_
+#else
+#define GAUNT_SIMD_BATCH_INL_H_
+#endif
+
+#include <algorithm>
+
+#include "simd/lanes-inl.h"
+#include "simd/tile-inl.h"
+#include "simd/view.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gaunt::HWY_NAMESPACE {
+
+// Walks over groups of lanes: `step` bytes to the next one, and `jump` more after each `groups`.
+template <class Planes, typename Byte>
+struct Cursor {
+  Byte* data;
+  ptrdiff_t plane_stride;
+  ptrdiff_t step;
+  ptrdiff_t jump;
+  size_t groups;
+  size_t left;
+
+  static Cursor At(const simd::BasicView<Byte>& view, size_t first) {
+    const size_t lanes = hn::Lanes(LaneTag());
+    const ptrdiff_t step = static_cast<ptrdiff_t>(lanes * sizeof(float));
+    if (view.tile_items == 0) return {view.Item(first), view.plane_stride, step, 0, 0, 0};
+    const size_t groups = view.tile_items / lanes;
+    return {view.Item(first),
+            view.plane_stride,
+            step,
+            view.tile_stride - static_cast<ptrdiff_t>(groups) * step,
+            groups,
+            groups - first % view.tile_items / lanes};
+  }
+
+  // Stack tiles, `step` bytes apart; 0 stays at the same one, which is what a broadcast needs.
+  static Cursor Tiles(unsigned char* tile, ptrdiff_t step) {
+    return {tile, kTileStride, step, 0, 0, 0};
+  }
+
+  GAUNT_LANES Planes Here() const { return {data, plane_stride}; }
+  GAUNT_LANES void Next() {
+    data += step;
+    if (--left == 0) {  // never, from 0 up, without tiles
+      data += jump;
+      left = groups;
+    }
+  }
+};
+
+using InCursor = Cursor<PlanesIn, const unsigned char>;
+using OutCursor = Cursor<PlanesOut, unsigned char>;
+
+// Groups that are converted at a time, where they fit on the stack.
+constexpr size_t TileGroups(size_t planes) {
+  constexpr size_t kBudget = 5120;
+  return std::clamp<size_t>(kBudget / (planes * kTileStride), 1, 8);
+}
+
+// One view of a batch, and the stack tiles that stand in for it where it cannot be used in place.
+template <class Cursor, class View>
+class Side {
+ public:
+  bool direct() const { return direct_; }
+  size_t groups() const { return groups_; }
+
+ protected:
+  Side(const View& view, size_t planes, size_t first, float* tile, size_t groups)
+      : view_(view),
+        planes_(planes),
+        first_(first),
+        shape_(ShapeOf(view, planes)),
+        direct_(view.item_stride == sizeof(float) &&
+                (view.tile_items == 0 || view.tile_items % hn::Lanes(LaneTag()) == 0)),
+        tile_(tile),
+        groups_(groups) {}
+
+  // Whole groups are used where they lie; a tail never is.
+  bool InPlace(size_t n) const { return direct_ && n % hn::Lanes(LaneTag()) == 0; }
+  Cursor Tiles(size_t step_planes) const {
+    return Cursor::Tiles(reinterpret_cast<unsigned char*>(tile_),
+                         static_cast<ptrdiff_t>(step_planes) * kTileStride);
+  }
+
+  View view_;
+  size_t planes_;
+  size_t first_;
+  RowShape shape_;
+  bool direct_;
+  float* tile_;
+  size_t groups_;
+};
+
+class InSide : public Side<InCursor, simd::InView> {
+ public:
+  HWY_NOINLINE InCursor Begin(size_t first, size_t n) {
+    if (splat_) return Tiles(0);
+    if (InPlace(n)) return InCursor::At(view_, first_ + first);
+    LoadTiles(view_, shape_, first_ + first, n, planes_, tile_);
+    return Tiles(planes_);
+  }
+  void End(size_t, size_t) {}
+
+ protected:
+  HWY_NOINLINE InSide(const simd::InView& view, size_t planes, size_t first, float* tile, size_t groups)
+      : Side(view, planes, first, tile, groups), splat_(view.IsBroadcast()) {
+    if (!splat_) return;
+    LoadTiles(view, RowShape::kOther, 0, 1, planes, tile);
+    direct_ = true;
+  }
+
+ private:
+  bool splat_;
+};
+
+class OutSide : public Side<OutCursor, simd::OutView> {
+ public:
+  HWY_NOINLINE OutCursor Begin(size_t first, size_t n) {
+    return InPlace(n) ? OutCursor::At(view_, first_ + first) : Tiles(planes_);
+  }
+  HWY_NOINLINE void End(size_t first, size_t n) {
+    if (InPlace(n)) return;
+    StoreTiles(tile_, view_, shape_, first_ + first, n, planes_);
+  }
+
+ protected:
+  HWY_NOINLINE OutSide(const simd::OutView& view, size_t planes, size_t first, float* tile, size_t groups)
+      : Side(view, planes, first, tile, groups) {}
+};
+
+// Storage of a side whose items have at most kPlanes planes; the batch begins at item `first`, a
+// multiple of kMaxLanes.
+template <size_t kPlanes>
+struct TileStorage {
+  static constexpr size_t kGroups = TileGroups(kPlanes);
+  HWY_ALIGN float tile[kGroups * kPlanes * kMaxLanes];
+};
+
+template <size_t kPlanes>
+class In : private TileStorage<kPlanes>, public InSide {
+ public:
+  explicit In(const simd::InView& view, size_t planes = kPlanes, size_t first = 0)
+      : InSide(view, planes, first, this->tile, TileStorage<kPlanes>::kGroups) {}
+};
+
+template <size_t kPlanes>
+class Out : private TileStorage<kPlanes>, public OutSide {
+ public:
+  explicit Out(const simd::OutView& view, size_t planes = kPlanes, size_t first = 0)
+      : OutSide(view, planes, first, this->tile, TileStorage<kPlanes>::kGroups) {}
+};
+
+// The one place where a kernel is instantiated. Out of line, with every cursor a local value: the
+// compiler knows that no store of the kernel changes them.
+template <class K, class Kernel, class... Cursors>
+HWY_NOINLINE void RunGroups(const Kernel kernel, size_t groups, Cursors... cursors) {
+  const K k;
+  for (; groups != 0; --groups) {
+    kernel(k, cursors.Here()...);
+    (cursors.Next(), ...);
+  }
+}
+
+// Once per kernel, whatever the sizes of the sides' tiles.
+template <class K, class Kernel, class... Sides>
+HWY_NOINLINE void RunBatch(size_t count, const Kernel& kernel, Sides&... sides) {
+  const size_t lanes = hn::Lanes(LaneTag());
+  const size_t most = (sides.direct() && ...) ? count : std::min({sides.groups()...}) * lanes;
+  for (size_t done = 0, n; done < count; done += n) {
+    // Whole groups, then the tail: a side that is used in place must see whole groups.
+    const size_t left = count - done;
+    n = std::min(most, left >= lanes ? left / lanes * lanes : left);
+    RunGroups<K>(kernel, (n + lanes - 1) / lanes, sides.Begin(done, n)...);
+    (sides.End(done, n), ...);
+  }
+}
+
+inline InSide& AsSide(InSide& side) { return side; }
+inline OutSide& AsSide(OutSide& side) { return side; }
+
+// Runs kernel(k, planes...) over `count` items; each side is an In or an Out. The kernel reads all
+// of its inputs of one channel before it writes that channel, so outputs may be inputs in place.
+template <class K = Lanes, class Kernel, class... Sides>
+void ForEachBatch(size_t count, const Kernel& kernel, Sides&&... sides) {
+  RunBatch<K>(count, kernel, AsSide(sides)...);
+}
+
+}  // namespace gaunt::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GAUNT_SIMD_BATCH_INL_H_

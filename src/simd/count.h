@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Counting lanes: the twin of lanes-inl.h that carries no values and counts what a kernel executes.
+// A kernel template run on these yields its operations, so that no count is ever typed in by hand.
+#ifndef GAUNT_SIMD_COUNT_H_
+#define GAUNT_SIMD_COUNT_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gaunt {
+
+struct Operations {
+  uint64_t mul = 0;
+  uint64_t fma = 0;
+  uint64_t add = 0;   // additions and subtractions
+  uint64_t div = 0;   // divisions and square roots
+  uint64_t load = 0;  // planes read and written through the accessors
+  uint64_t store = 0;
+
+  uint64_t Multiplies() const { return mul + fma; }
+  uint64_t Ports() const { return mul + fma + add; }
+};
+
+inline Operations& CountedOperations() {
+  static thread_local Operations operations;
+  return operations;
+}
+
+// Stands for a vector of lanes.
+struct Counted {};
+// Stands for the result of a comparison, which is neither a multiplication nor an addition.
+struct CountedMask {};
+
+inline Counted Mul(Counted, Counted) { return ++CountedOperations().mul, Counted(); }
+inline Counted Add(Counted, Counted) { return ++CountedOperations().add, Counted(); }
+inline Counted Sub(Counted, Counted) { return ++CountedOperations().add, Counted(); }
+inline Counted MulAdd(Counted, Counted, Counted) { return ++CountedOperations().fma, Counted(); }
+inline Counted MulSub(Counted, Counted, Counted) { return ++CountedOperations().fma, Counted(); }
+inline Counted NegMulAdd(Counted, Counted, Counted) {
+  return ++CountedOperations().fma, Counted();
+}
+inline Counted Div(Counted, Counted) { return ++CountedOperations().div, Counted(); }
+inline Counted Sqrt(Counted) { return ++CountedOperations().div, Counted(); }
+inline Counted Neg(Counted) { return {}; }
+inline Counted Abs(Counted) { return {}; }
+inline Counted Min(Counted, Counted) { return {}; }
+inline Counted Max(Counted, Counted) { return {}; }
+inline CountedMask Lt(Counted, Counted) { return {}; }
+inline CountedMask Gt(Counted, Counted) { return {}; }
+inline CountedMask And(CountedMask, CountedMask) { return {}; }
+inline Counted IfThenElse(CountedMask, Counted, Counted) { return {}; }
+inline Counted IfThenElseZero(CountedMask, Counted) { return {}; }
+inline Counted IfThenZeroElse(CountedMask, Counted) { return {}; }
+
+struct CountPlanes {
+  Counted operator()(size_t) const { return ++CountedOperations().load, Counted(); }
+  void operator()(size_t, Counted) const { ++CountedOperations().store; }
+};
+
+struct CountLanes {
+  using V = Counted;
+  Counted operator()(double) const { return {}; }
+  template <int>
+  struct Slots {
+    Counted operator()(size_t) const { return {}; }
+    void operator()(size_t, Counted) const {}
+  };
+};
+
+// Runs `kernel` on counting lanes with as many accessors as it takes.
+template <typename Kernel, typename... Planes>
+Operations CountKernel(const Kernel& kernel, const Planes&... planes) {
+  CountedOperations() = Operations();
+  kernel(CountLanes(), planes...);
+  return CountedOperations();
+}
+
+// A row of `gaunt opcount`: what one item costs.
+struct OperationRow {
+  std::string op;
+  std::string order;
+  std::string variant;
+  Operations operations;
+};
+
+}  // namespace gaunt
+
+#endif  // GAUNT_SIMD_COUNT_H_
