@@ -2,7 +2,8 @@
 # Tests: one program per family, each of which runs every SIMD target that the machine has.
 include(GoogleTest)
 
-add_library(gaunt_test_support STATIC tests/support/support.cc)
+add_library(gaunt_test_support STATIC
+  tests/support/buffer.cc tests/support/golden.cc tests/support/operation.cc)
 gaunt_compile_internal(gaunt_test_support)
 target_link_libraries(gaunt_test_support PUBLIC gaunt_static gaunt_reference gaunt_count GTest::gtest
   GTest::gtest_main)

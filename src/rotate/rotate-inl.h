@@ -115,7 +115,7 @@ struct RotateQuaternion {
   template <class K, class InQ, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const InQ& q, const In& in, const Out& out) const {
     typename K::template Slots<9> matrix;
-    MatrixFromQuaternion()(k, q, matrix);
+    if constexpr (n > 1) MatrixFromQuaternion()(k, q, matrix);
     RotateMatrix<n>{channels}(k, matrix, in, out);
   }
 };

@@ -23,6 +23,15 @@ struct Operations {
   uint64_t Ports() const { return mul + fma + add; }
 };
 
+inline Operations operator*(uint64_t times, const Operations& o) {
+  return {times * o.mul, times * o.fma,  times * o.add,
+          times * o.div, times * o.load, times * o.store};
+}
+inline Operations operator+(const Operations& a, const Operations& b) {
+  return {a.mul + b.mul, a.fma + b.fma,   a.add + b.add,
+          a.div + b.div, a.load + b.load, a.store + b.store};
+}
+
 inline Operations& CountedOperations() {
   static thread_local Operations operations;
   return operations;
@@ -77,13 +86,21 @@ Operations CountKernel(const Kernel& kernel, const Planes&... planes) {
   return CountedOperations();
 }
 
-// A row of `gaunt opcount`: what one item costs.
+// A row of `gaunt opcount`: what one item costs. Orders read "3", or "6x6->3" where they are mixed.
 struct OperationRow {
   std::string op;
   std::string order;
   std::string variant;
   Operations operations;
 };
+using OperationRows = std::vector<OperationRow>;
+
+// Rows of every family, each from its own <family>_count.cc.
+OperationRows AllOperations();
+
+// The row of an operation, for benchmarks; ends the program if there is none.
+Operations OperationsOf(const std::string& op, const std::string& order,
+                        const std::string& variant);
 
 }  // namespace gaunt
 

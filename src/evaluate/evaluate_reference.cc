@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "evaluate/evaluate_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "basis/basis_reference.h"
+
+namespace gaunt::evaluate {
+
+// A_l / pi = 2 int_0^1 x P_l(x) dx (Funk-Hecke), from the coefficients of P_l.
+double CosineFactor(int l) {
+  std::vector<double> below = {1.0}, value = {0.0, 1.0};
+  if (l == 0) value = below;
+  for (int k = 2; k <= l; ++k) {
+    std::vector<double> next(static_cast<size_t>(k) + 1, 0.0);
+    for (size_t i = 0; i < value.size(); ++i) next[i + 1] += (2.0 * k - 1.0) / k * value[i];
+    for (size_t i = 0; i < below.size(); ++i) next[i] -= (k - 1.0) / k * below[i];
+    below = value;
+    value = next;
+  }
+  double integral = 0.0;
+  for (size_t i = 0; i < value.size(); ++i) {
+    integral += value[i] / (static_cast<double>(i) + 2.0);
+  }
+  return 2.0 * integral;
+}
+
+double ShReference(int order, const double* coefficients, const double direction[3]) {
+  std::vector<double> y(static_cast<size_t>(order * order));
+  basis::EvalReference(order, direction, y.data());
+  double sum = 0.0;
+  for (size_t i = 0; i < y.size(); ++i) sum += coefficients[i] * y[i];
+  return sum;
+}
+
+double IrradianceReference(int order, const double* radiance, const double normal[3]) {
+  std::vector<double> convolved(radiance, radiance + order * order);
+  for (int l = 0; l < order; ++l) {
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
+      convolved[static_cast<size_t>(i)] *= CosineFactor(l);
+    }
+  }
+  return ShReference(order, convolved.data(), normal);
+}
+
+void IrradianceConstantsReference(const double radiance[27], double out[28]) {
+  const double root_pi = std::sqrt(std::acos(-1.0));
+  const double c0 = 1.0 / (2.0 * root_pi), c1 = std::sqrt(3.0) / (3.0 * root_pi);
+  const double c2 = std::sqrt(15.0) / (8.0 * root_pi), c3 = std::sqrt(5.0) / (16.0 * root_pi);
+  for (int c = 0; c < 3; ++c) {
+    const double* L = radiance + 9 * c;
+    const double a[4] = {-c1 * L[3], -c1 * L[1], c1 * L[2], c0 * L[0] - c3 * L[6]};
+    const double b[4] = {c2 * L[4], -c2 * L[5], 3.0 * c3 * L[6], -c2 * L[7]};
+    std::copy(a, a + 4, out + 4 * c);
+    std::copy(b, b + 4, out + 12 + 4 * c);
+    out[24 + c] = 0.5 * c2 * L[8];
+  }
+  out[27] = 1.0;
+}
+
+}  // namespace gaunt::evaluate

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Rotation of SH functions by its definition, in double precision.
+#ifndef GAUNT_ROTATE_ROTATE_REFERENCE_H_
+#define GAUNT_ROTATE_ROTATE_REFERENCE_H_
+
+namespace gaunt::rotate {
+
+// Row-major matrix of a quaternion x y z w; of a zero quaternion, the identity.
+void MatrixReference(const double quaternion[4], double matrix[9]);
+
+// Coefficients of f'(s) = f(R^-1 s), R orthogonal.
+void RotateReference(int order, const double matrix[9], const double* in, double* out);
+
+}  // namespace gaunt::rotate
+
+#endif  // GAUNT_ROTATE_ROTATE_REFERENCE_H_

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What every batched function of the library must do, tested from one description of the function.
+#ifndef GAUNT_TESTS_SUPPORT_OPERATION_H_
+#define GAUNT_TESTS_SUPPORT_OPERATION_H_
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gaunt/gaunt.h"
+#include "tests/support/random.h"
+
+namespace gaunt::test {
+
+struct Operation {
+  using Views = std::vector<const gaunt_view*>;
+  using Item = std::vector<std::vector<double>>;  // [side][plane]
+
+  std::string name;
+  std::vector<size_t> inputs;   // planes of each input view
+  std::vector<size_t> outputs;  // planes of each output view
+  std::function<gaunt_status(size_t count, const Views& in, const Views& out)> call;
+  // Fills one item of input `side`.
+  std::function<void(Random& random, size_t side, float* planes)> make;
+  // The definition, in double precision.
+  std::function<void(const Item& in, Item& out)> reference;
+  // Largest error allowed in an item's output `side`.
+  std::function<double(const Item& in, size_t side)> tolerance;
+  // Inputs that output 0 may be in place of.
+  std::vector<size_t> in_place;
+};
+
+// Runs on the chosen target: every pair of layouts and counts around the lanes, against the
+// definition; equal bits in all layouts; canaries and inputs untouched; each input broadcast; in
+// place; a NaN stays in its item.
+void TestBatches(const Operation& operation);
+
+// Equal bits on all targets with fused multiply-add, and on all others.
+void TestSameBits(const Operation& operation);
+
+// Each wrong view gives its status, and nothing is written.
+void TestErrors(const Operation& operation);
+
+}  // namespace gaunt::test
+
+#endif  // GAUNT_TESTS_SUPPORT_OPERATION_H_
