@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # libgaunt, shared and static, from the same objects.
 foreach(library gaunt gaunt_static)
-  target_link_libraries(${library} PRIVATE gaunt_objects hwy::hwy)
+  target_sources(${library} PRIVATE $<TARGET_OBJECTS:gaunt_objects>)
+  target_link_libraries(${library} PRIVATE hwy::hwy)
   target_include_directories(${library} INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -16,3 +16,20 @@ function(gaunt_test name)
   target_link_libraries(${name} PRIVATE gaunt_test_support)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
 endfunction()
+
+gaunt_test(base_test tests/base_test.cc)
+
+# The C API through the shared library, from C99.
+add_executable(capi_abi_test tests/capi_abi_test.c)
+set_target_properties(capi_abi_test PROPERTIES C_STANDARD 99 C_EXTENSIONS OFF)
+target_compile_options(capi_abi_test PRIVATE -Wall -Wextra -pedantic-errors)
+target_link_libraries(capi_abi_test PRIVATE gaunt)
+add_test(NAME Capi.Abi COMMAND capi_abi_test)
+
+find_program(READELF readelf)
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_NM AND READELF)
+  add_test(NAME Capi.Exports COMMAND ${CMAKE_COMMAND}
+    -DNM=${CMAKE_NM} -DREADELF=${READELF} -DLIBRARY=$<TARGET_FILE:gaunt>
+    -DEXPORTS=${PROJECT_SOURCE_DIR}/capi/exports.txt
+    -P ${PROJECT_SOURCE_DIR}/tests/exports_test.cmake)
+endif()

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* The header is C99 and stands alone; sizes, offsets and values stay what they are. */
+#include "gaunt/gaunt.h"
+
+#include <stdio.h>
+
+static int failures = 0;
+#define EXPECT_SAME(value, wanted)                                                      \
+  do {                                                                                  \
+    const long long got = (long long)(value), want = (long long)(wanted);               \
+    if (got != want) {                                                                  \
+      printf("%s is %lld, expected %lld\n", #value, got, want);                         \
+      ++failures;                                                                       \
+    }                                                                                   \
+  } while (0)
+
+int main(void) {
+  const size_t word = sizeof(void*);
+  EXPECT_SAME(GAUNT_OK, 0);
+  EXPECT_SAME(GAUNT_ERROR_NULL, -1);
+  EXPECT_SAME(GAUNT_ERROR_ORDER, -2);
+  EXPECT_SAME(GAUNT_ERROR_LAYOUT, -3);
+  EXPECT_SAME(GAUNT_ERROR_RANGE, -4);
+  EXPECT_SAME(GAUNT_ERROR_OVERLAP, -5);
+  EXPECT_SAME(GAUNT_ERROR_FORMAT, -6);
+  EXPECT_SAME(GAUNT_ERROR_STRUCT, -7);
+  EXPECT_SAME(GAUNT_ERROR_TARGET, -8);
+  EXPECT_SAME(GAUNT_FORMAT_SH3_28, 1);
+  EXPECT_SAME(GAUNT_NO_PROBE, 0xFFFFFFFFu);
+  EXPECT_SAME(GAUNT_SENSE_RADIANCE, 0);
+  EXPECT_SAME(GAUNT_SENSE_IRRADIANCE, 1);
+  EXPECT_SAME(GAUNT_TEXEL_F32, 0);
+  EXPECT_SAME(GAUNT_PROJECT_CLAMP, 1);
+  EXPECT_SAME(GAUNT_REPORT_PLANES, 3);
+  EXPECT_SAME(sizeof(gaunt_status), 4);
+  EXPECT_SAME(sizeof(gaunt_view), 5 * word);
+  EXPECT_SAME(offsetof(gaunt_view, data), 0);
+  EXPECT_SAME(offsetof(gaunt_view, item_stride), word);
+  EXPECT_SAME(offsetof(gaunt_view, plane_stride), 2 * word);
+  EXPECT_SAME(offsetof(gaunt_view, tile_stride), 3 * word);
+  EXPECT_SAME(offsetof(gaunt_view, tile_items), 4 * word);
+  EXPECT_SAME(offsetof(gaunt_image, width), word);
+  EXPECT_SAME(offsetof(gaunt_image, height), word + 4);
+  EXPECT_SAME(offsetof(gaunt_image, pixel_stride), word + 8);
+  EXPECT_SAME(offsetof(gaunt_image, row_stride), 2 * word + 8);
+  EXPECT_SAME(offsetof(gaunt_image, type), 3 * word + 8);
+  EXPECT_SAME(sizeof(gaunt_project_options), 8);
+  EXPECT_SAME(sizeof(gaunt_format_properties), 16);
+  EXPECT_SAME(gaunt_version(), GAUNT_VERSION);
+  return failures == 0 ? 0 : 1;
+}
