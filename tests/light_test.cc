@@ -159,13 +159,18 @@ TEST_P(Light, DirectionIsUpWhereThereIsNone) {
 }
 
 TEST_P(Light, NotANumberGivesNoLight) {
-  float f[9] = {1, 0, std::numeric_limits<float>::quiet_NaN()}, d[3] = {0, 0, 1};
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  float f[9] = {1, 0, nan}, d[3] = {0, 0, 1};
   float colour = 9, ambient = 9;
   gaunt_view vf, vd, vc, va;
   gaunt_view_interleaved(f, 9, &vf);
   gaunt_view_interleaved(d, 3, &vd);
   gaunt_view_interleaved(&colour, 1, &vc);
   gaunt_view_interleaved(&ambient, 1, &va);
+  ASSERT_EQ(gaunt_light_extract(3, 1, 1, GAUNT_SENSE_IRRADIANCE, 1, &vf, &vd, &vc, &va), GAUNT_OK);
+  EXPECT_EQ(colour, 0.0f);
+  EXPECT_NEAR(ambient, 0.5 / std::sqrt(std::acos(-1.0)), 1e-7);
+  f[0] = nan;
   ASSERT_EQ(gaunt_light_extract(3, 1, 1, GAUNT_SENSE_IRRADIANCE, 1, &vf, &vd, &vc, &va), GAUNT_OK);
   EXPECT_EQ(colour, 0.0f);
   EXPECT_EQ(ambient, 0.0f);

@@ -375,7 +375,7 @@ enum {
  * colours     `channels` planes per light, light-major
  * ambient     `channels` planes
  *
- * A NaN in the coefficients gives colour 0, ambient 0.
+ * A colour or an ambient light that would be a NaN is 0.
  *
  * Accuracy:  |error| <= 1e-6 of the norm of the channel's coefficients.
  * Overlap:   none.

@@ -82,6 +82,11 @@ Buffer::Buffer(Layout layout, size_t count, size_t planes) : count_(count), plan
            tile_items};
 }
 
+Buffer::Buffer(const Buffer& other)
+    : count_(other.count_), planes_(other.planes_), view_(other.view_), memory_(other.memory_) {
+  view_.data = memory_.data() + (other.view_.data - other.memory_.data());
+}
+
 size_t Buffer::Index(size_t item, size_t plane) const {
   ptrdiff_t bytes = static_cast<ptrdiff_t>(plane) * view_.plane_stride;
   if (view_.tile_items == 0) {

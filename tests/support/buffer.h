@@ -30,6 +30,10 @@ std::string Name(Layout layout);
 class Buffer {
  public:
   Buffer(Layout layout, size_t count, size_t planes);
+  // A copy has memory, and so a view, of its own.
+  Buffer(const Buffer& other);
+  Buffer(Buffer&&) = default;
+  Buffer& operator=(const Buffer&) = delete;
 
   const gaunt_view* view() const { return &view_; }
   float Get(size_t item, size_t plane) const;
