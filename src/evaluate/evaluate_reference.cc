@@ -9,22 +9,14 @@
 
 namespace gaunt::evaluate {
 
-// A_l / pi = 2 int_0^1 x P_l(x) dx (Funk-Hecke), from the coefficients of P_l.
+// A_l / pi = 2 int_0^1 x P_l(x) dx in closed form (Ramamoorthi and Hanrahan 2001): 2/3 for l = 1, 0
+// for other odd l, else 2 (-1)^(l/2-1) l! / ((l+2) (l-1) 2^l (l/2)!^2).
 double CosineFactor(int l) {
-  std::vector<double> below = {1.0}, value = {0.0, 1.0};
-  if (l == 0) value = below;
-  for (int k = 2; k <= l; ++k) {
-    std::vector<double> next(static_cast<size_t>(k) + 1, 0.0);
-    for (size_t i = 0; i < value.size(); ++i) next[i + 1] += (2.0 * k - 1.0) / k * value[i];
-    for (size_t i = 0; i < below.size(); ++i) next[i] -= (k - 1.0) / k * below[i];
-    below = value;
-    value = next;
-  }
-  double integral = 0.0;
-  for (size_t i = 0; i < value.size(); ++i) {
-    integral += value[i] / (static_cast<double>(i) + 2.0);
-  }
-  return 2.0 * integral;
+  if (l == 1) return 2.0 / 3.0;
+  if (l % 2 == 1) return 0.0;
+  const double log_ratio =
+      std::lgamma(l + 1.0) - l * std::log(2.0) - 2.0 * std::lgamma(0.5 * l + 1.0);
+  return (l / 2 % 2 == 1 ? 2.0 : -2.0) / ((l + 2.0) * (l - 1.0)) * std::exp(log_ratio);
 }
 
 double ShReference(int order, const double* coefficients, const double direction[3]) {

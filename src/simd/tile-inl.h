@@ -20,11 +20,11 @@ namespace gaunt::HWY_NAMESPACE {
 // Bytes from plane to plane of a tile: room for the widest vector.
 inline constexpr ptrdiff_t kTileStride = kMaxLanes * sizeof(float);
 
-// The layouts that the fast conversions know.
+// The layouts that the fast conversions know: contiguous planes per item, which 4x4 transposes turn.
 enum class RowShape {
-  kOther,  // any strides
-  kRows,   // at least four contiguous planes per item: 4x4 transposes
-  kPacked  // three planes, items back to back: interleaved loads and stores
+  kOther,   // any strides
+  kRows,    // at least four planes
+  kTriples  // three
 };
 
 template <typename View>
@@ -33,34 +33,58 @@ RowShape ShapeOf(const View& view, size_t planes) {
   if (HWY_HAVE_SCALABLE || HWY_TARGET == HWY_SCALAR || view.plane_stride != 4 || !one_run) {
     return RowShape::kOther;
   }
-  if (planes >= 4) return RowShape::kRows;
-  return planes == 3 && view.item_stride == 12 ? RowShape::kPacked : RowShape::kOther;
+  return planes >= 4 ? RowShape::kRows : planes == 3 ? RowShape::kTriples : RowShape::kOther;
 }
 
 #if !HWY_HAVE_SCALABLE && HWY_TARGET != HWY_SCALAR
 
-// Vector whose 128-bit block b holds four floats of item 4 b.
-template <class D>
-GAUNT_LANES hn::Vec<D> LoadBlocks(D d, const unsigned char* row, ptrdiff_t item_stride) {
-  if constexpr (hn::MaxLanes(D()) == 4) {
-    return hn::LoadU(d, reinterpret_cast<const float*>(row));
+// kFloats floats of an item, of which the fourth is anything if there are three: it is not touched.
+template <int kFloats, class D>
+GAUNT_LANES hn::Vec<D> LoadRow(D d, const float* row) {
+  if constexpr (kFloats == 4) {
+    return hn::LoadU(d, row);
   } else {
-    const hn::Half<D> half;
-    constexpr ptrdiff_t kHalf = hn::MaxLanes(D()) / 2;
-    return hn::Combine(d, LoadBlocks(half, row + kHalf * item_stride, item_stride),
-                       LoadBlocks(half, row, item_stride));
+    const hn::CappedTag<float, 2> pair;
+    const hn::CappedTag<float, 1> single;
+    return hn::Combine(d, hn::ZeroExtendVector(pair, hn::LoadU(single, row + 2)),
+                       hn::LoadU(pair, row));
   }
 }
 
-template <class D>
-GAUNT_LANES void StoreBlocks(D d, hn::Vec<D> v, unsigned char* row, ptrdiff_t item_stride) {
+template <int kFloats, class D>
+GAUNT_LANES void StoreRow(D d, hn::Vec<D> v, float* row) {
+  if constexpr (kFloats == 4) {
+    hn::StoreU(v, d, row);
+  } else {
+    const hn::CappedTag<float, 2> pair;
+    const hn::CappedTag<float, 1> single;
+    hn::StoreU(hn::LowerHalf(pair, v), pair, row);
+    hn::StoreU(hn::LowerHalf(single, hn::UpperHalf(pair, v)), single, row + 2);
+  }
+}
+
+// Vector whose 128-bit block b holds floats of item 4 b.
+template <int kFloats, class D>
+GAUNT_LANES hn::Vec<D> LoadBlocks(D d, const unsigned char* row, ptrdiff_t item_stride) {
   if constexpr (hn::MaxLanes(D()) == 4) {
-    hn::StoreU(v, d, reinterpret_cast<float*>(row));
+    return LoadRow<kFloats>(d, reinterpret_cast<const float*>(row));
   } else {
     const hn::Half<D> half;
     constexpr ptrdiff_t kHalf = hn::MaxLanes(D()) / 2;
-    StoreBlocks(half, hn::LowerHalf(half, v), row, item_stride);
-    StoreBlocks(half, hn::UpperHalf(half, v), row + kHalf * item_stride, item_stride);
+    return hn::Combine(d, LoadBlocks<kFloats>(half, row + kHalf * item_stride, item_stride),
+                       LoadBlocks<kFloats>(half, row, item_stride));
+  }
+}
+
+template <int kFloats, class D>
+GAUNT_LANES void StoreBlocks(D d, hn::Vec<D> v, unsigned char* row, ptrdiff_t item_stride) {
+  if constexpr (hn::MaxLanes(D()) == 4) {
+    StoreRow<kFloats>(d, v, reinterpret_cast<float*>(row));
+  } else {
+    const hn::Half<D> half;
+    constexpr ptrdiff_t kHalf = hn::MaxLanes(D()) / 2;
+    StoreBlocks<kFloats>(half, hn::LowerHalf(half, v), row, item_stride);
+    StoreBlocks<kFloats>(half, hn::UpperHalf(half, v), row + kHalf * item_stride, item_stride);
   }
 }
 
@@ -78,67 +102,73 @@ GAUNT_LANES void Transpose4(D d, V& a, V& b, V& c, V& e) {
   e = hn::BitCast(d, hn::InterleaveUpper(wide, ab_upper, ce_upper));
 }
 
-HWY_INLINE void LoadRows(const unsigned char* row, ptrdiff_t item_stride, size_t planes,
+// Planes from the one that `row` points at, of a group of items. Where items are back to back, all but
+// the last of a block may read a float of the next one.
+template <int kFloats, int kFloatsInside = kFloats>
+GAUNT_LANES void LoadBlock(const unsigned char* row, ptrdiff_t item_stride,
                            float* HWY_RESTRICT tile) {
   const LaneTag d;
-  for (size_t p = 0;;) {
-    auto a = LoadBlocks(d, row + 4 * p, item_stride);
-    auto b = LoadBlocks(d, row + 4 * p + item_stride, item_stride);
-    auto c = LoadBlocks(d, row + 4 * p + 2 * item_stride, item_stride);
-    auto e = LoadBlocks(d, row + 4 * p + 3 * item_stride, item_stride);
-    Transpose4(d, a, b, c, e);
-    hn::Store(a, d, tile + p * kMaxLanes);
-    hn::Store(b, d, tile + (p + 1) * kMaxLanes);
-    hn::Store(c, d, tile + (p + 2) * kMaxLanes);
-    hn::Store(e, d, tile + (p + 3) * kMaxLanes);
-    p += 4;
-    if (p >= planes) return;
-    if (p + 4 > planes) p = planes - 4;  // the last block overlaps the one before
-  }
+  auto a = LoadBlocks<kFloatsInside>(d, row, item_stride);
+  auto b = LoadBlocks<kFloatsInside>(d, row + item_stride, item_stride);
+  auto c = LoadBlocks<kFloatsInside>(d, row + 2 * item_stride, item_stride);
+  auto e = LoadBlocks<kFloats>(d, row + 3 * item_stride, item_stride);
+  Transpose4(d, a, b, c, e);
+  hn::Store(a, d, tile);
+  hn::Store(b, d, tile + kMaxLanes);
+  hn::Store(c, d, tile + 2 * kMaxLanes);
+  if constexpr (kFloats == 4) hn::Store(e, d, tile + 3 * kMaxLanes);
 }
 
-HWY_INLINE void StoreRows(const float* HWY_RESTRICT tile, size_t planes, unsigned char* row,
+template <int kFloats>
+GAUNT_LANES void StoreBlock(const float* HWY_RESTRICT tile, unsigned char* row,
                             ptrdiff_t item_stride) {
   const LaneTag d;
-  for (size_t p = 0;;) {
-    auto a = hn::Load(d, tile + p * kMaxLanes);
-    auto b = hn::Load(d, tile + (p + 1) * kMaxLanes);
-    auto c = hn::Load(d, tile + (p + 2) * kMaxLanes);
-    auto e = hn::Load(d, tile + (p + 3) * kMaxLanes);
-    Transpose4(d, a, b, c, e);
-    StoreBlocks(d, a, row + 4 * p, item_stride);
-    StoreBlocks(d, b, row + 4 * p + item_stride, item_stride);
-    StoreBlocks(d, c, row + 4 * p + 2 * item_stride, item_stride);
-    StoreBlocks(d, e, row + 4 * p + 3 * item_stride, item_stride);
-    p += 4;
-    if (p >= planes) return;
-    if (p + 4 > planes) p = planes - 4;
-  }
-}
-
-HWY_INLINE void LoadPacked(const unsigned char* data, float* HWY_RESTRICT tile) {
-  const LaneTag d;
-  hn::Vec<LaneTag> x, y, z;
-  hn::LoadInterleaved3(d, reinterpret_cast<const float*>(data), x, y, z);
-  hn::Store(x, d, tile);
-  hn::Store(y, d, tile + kMaxLanes);
-  hn::Store(z, d, tile + 2 * kMaxLanes);
-}
-
-HWY_INLINE void StorePacked(const float* HWY_RESTRICT tile, unsigned char* data) {
-  const LaneTag d;
-  hn::StoreInterleaved3(hn::Load(d, tile), hn::Load(d, tile + kMaxLanes),
-                        hn::Load(d, tile + 2 * kMaxLanes), d, reinterpret_cast<float*>(data));
+  auto a = hn::Load(d, tile);
+  auto b = hn::Load(d, tile + kMaxLanes);
+  auto c = hn::Load(d, tile + 2 * kMaxLanes);
+  auto e = kFloats == 4 ? hn::Load(d, tile + 3 * kMaxLanes) : c;
+  Transpose4(d, a, b, c, e);
+  StoreBlocks<kFloats>(d, a, row, item_stride);
+  StoreBlocks<kFloats>(d, b, row + item_stride, item_stride);
+  StoreBlocks<kFloats>(d, c, row + 2 * item_stride, item_stride);
+  StoreBlocks<kFloats>(d, e, row + 3 * item_stride, item_stride);
 }
 
 #else
 
-HWY_INLINE void LoadRows(const unsigned char*, ptrdiff_t, size_t, float*) {}
-HWY_INLINE void StoreRows(const float*, size_t, unsigned char*, ptrdiff_t) {}
-HWY_INLINE void LoadPacked(const unsigned char*, float*) {}
-HWY_INLINE void StorePacked(const float*, unsigned char*) {}
+template <int kFloats, int kFloatsInside = kFloats>
+void LoadBlock(const unsigned char*, ptrdiff_t, float*) {}
+template <int kFloats>
+void StoreBlock(const float*, unsigned char*, ptrdiff_t) {}
 
 #endif
+
+// Calls block(p) so that blocks of four planes cover all; the last one may overlap the one before.
+template <class Block>
+GAUNT_LANES void ForEachBlock(size_t planes, const Block& block) {
+  size_t p = 0;
+  for (; p + 4 <= planes; p += 4) block(p);
+  if (p < planes) block(planes - 4);
+}
+
+GAUNT_LANES void LoadRows(RowShape shape, const unsigned char* row, ptrdiff_t item_stride,
+                          size_t planes, float* HWY_RESTRICT tile) {
+  if (shape == RowShape::kTriples) {
+    if (item_stride == 3 * sizeof(float)) return LoadBlock<3, 4>(row, item_stride, tile);
+    return LoadBlock<3>(row, item_stride, tile);
+  }
+  ForEachBlock(planes, [=](size_t p) HWY_ATTR {
+    LoadBlock<4>(row + 4 * p, item_stride, tile + p * kMaxLanes);
+  });
+}
+
+GAUNT_LANES void StoreRows(RowShape shape, const float* HWY_RESTRICT tile, unsigned char* row,
+                           ptrdiff_t item_stride, size_t planes) {
+  if (shape == RowShape::kTriples) return StoreBlock<3>(tile, row, item_stride);
+  ForEachBlock(planes, [=](size_t p) HWY_ATTR {
+    StoreBlock<4>(tile + p * kMaxLanes, row + 4 * p, item_stride);
+  });
+}
 
 // Items first .. first + n into consecutive tiles of one group of lanes each. Lanes beyond n repeat
 // an item, so that they cost no slow arithmetic on leftover bits.
@@ -147,11 +177,7 @@ inline HWY_NOINLINE void LoadTiles(const simd::InView& view, RowShape shape, siz
   const size_t lanes = hn::Lanes(LaneTag());
   size_t i = 0;
   for (; shape != RowShape::kOther && i + lanes <= n; i += lanes, tile += planes * kMaxLanes) {
-    if (shape == RowShape::kRows) {
-      LoadRows(view.Item(first + i), view.item_stride, planes, tile);
-    } else {
-      LoadPacked(view.Item(first + i), tile);
-    }
+    LoadRows(shape, view.Item(first + i), view.item_stride, planes, tile);
   }
   for (; i < n; i += lanes, tile += planes * kMaxLanes) {
     for (size_t lane = 0; lane < lanes; ++lane) {
@@ -169,11 +195,7 @@ inline HWY_NOINLINE void StoreTiles(const float* HWY_RESTRICT tile, const simd::
   const size_t lanes = hn::Lanes(LaneTag());
   size_t i = 0;
   for (; shape != RowShape::kOther && i + lanes <= n; i += lanes, tile += planes * kMaxLanes) {
-    if (shape == RowShape::kRows) {
-      StoreRows(tile, planes, view.Item(first + i), view.item_stride);
-    } else {
-      StorePacked(tile, view.Item(first + i));
-    }
+    StoreRows(shape, tile, view.Item(first + i), view.item_stride, planes);
   }
   for (; i < n; i += lanes, tile += planes * kMaxLanes) {
     for (size_t lane = 0; lane < lanes && i + lane < n; ++lane) {
