@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gaunt::capi {
 namespace {
@@ -11,13 +12,20 @@ constexpr ptrdiff_t kMaxSpan = PTRDIFF_MAX / 8;
 
 ptrdiff_t Magnitude(ptrdiff_t stride) { return stride < 0 ? -stride : stride; }
 
-// (n - 1) * stride, or false if it is absurd.
+// (n - 1) * stride, or false if it is absurd. Without a division: this runs on every call.
 bool SpanOf(size_t n, ptrdiff_t stride, ptrdiff_t* span) {
   *span = 0;
   if (n <= 1 || stride == 0) return true;
-  if (stride == PTRDIFF_MIN) return false;
-  if (n - 1 > static_cast<size_t>(kMaxSpan / Magnitude(stride))) return false;
-  *span = static_cast<ptrdiff_t>(n - 1) * stride;
+  constexpr size_t kHalfWord = size_t{1} << (4 * sizeof(size_t));
+  const size_t magnitude = stride < 0 ? size_t{0} - static_cast<size_t>(stride)
+                                      : static_cast<size_t>(stride);
+  if ((n >= kHalfWord || magnitude >= kHalfWord) &&
+      n - 1 > static_cast<size_t>(kMaxSpan) / magnitude) {
+    return false;
+  }
+  const size_t product = (n - 1) * magnitude;
+  if (product > static_cast<size_t>(kMaxSpan)) return false;
+  *span = stride < 0 ? -static_cast<ptrdiff_t>(product) : static_cast<ptrdiff_t>(product);
   return true;
 }
 
@@ -72,7 +80,7 @@ void MemoryCheck::AddView(const gaunt_view* view, size_t planes, Kind kind) {
   m.plane_count = planes;
   m.tile_items = view->tile_items == 0 ? count_ : std::min(view->tile_items, count_);
   m.items_in_tile = m.tile_items;
-  m.tiles = (count_ + m.tile_items - 1) / m.tile_items;
+  m.tiles = m.tile_items == count_ ? 1 : (count_ + m.tile_items - 1) / m.tile_items;
   m.item_stride = m.items_in_tile > 1 ? view->item_stride : 0;
   m.tile_stride = m.tiles > 1 ? view->tile_stride : 0;
   m.plane_stride = planes > 1 ? view->plane_stride : 0;
@@ -127,20 +135,21 @@ void MemoryCheck::Add(const Memory& memory, Kind kind) {
   memories_[used_++] = memory;
 }
 
-// Whether elements of an output are surely distinct: sorted by stride, each dimension steps over all
-// that the smaller ones span.
+// Whether elements of an output are surely distinct: in the order of their strides, each dimension
+// steps over all that the smaller ones span.
 bool MemoryCheck::Nests(const Memory& m) {
   struct Dimension {
     size_t n;
     ptrdiff_t stride;
   };
-  Dimension dimensions[3] = {{m.items_in_tile, Magnitude(m.item_stride)},
-                             {m.plane_count, Magnitude(m.plane_stride)},
-                             {m.tiles, Magnitude(m.tile_stride)}};
-  std::sort(dimensions, dimensions + 3,
-            [](const Dimension& a, const Dimension& b) { return a.stride < b.stride; });
+  Dimension a = {m.items_in_tile, Magnitude(m.item_stride)};
+  Dimension b = {m.plane_count, Magnitude(m.plane_stride)};
+  Dimension c = {m.tiles, Magnitude(m.tile_stride)};
+  if (b.stride < a.stride) std::swap(a, b);
+  if (c.stride < b.stride) std::swap(b, c);
+  if (b.stride < a.stride) std::swap(a, b);
   ptrdiff_t span = sizeof(float);
-  for (const Dimension& dimension : dimensions) {
+  for (const Dimension& dimension : {a, b, c}) {
     if (dimension.n <= 1) continue;
     if (dimension.stride < span) return false;
     span += static_cast<ptrdiff_t>(dimension.n - 1) * dimension.stride;

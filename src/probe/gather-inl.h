@@ -128,6 +128,51 @@ HWY_NOINLINE void FetchTaps(const Source& source, size_t first_item, size_t item
   }
 }
 
+#if !HWY_HAVE_SCALABLE && HWY_TARGET != HWY_SCALAR
+
+// Rows of 8 floats per object to [tap][object].
+GAUNT_LANES void TransposeTaps(const float* rows, float* out) {
+  using D = RecordLanes::D;
+  constexpr size_t kLanes = hn::MaxLanes(D());
+  constexpr ptrdiff_t kRowBytes = kTapChunk * sizeof(float);
+  for (size_t o = 0; o < kGroup; o += kLanes) {
+    for (size_t t = 0; t < kTapChunk; t += 4) {
+      LoadBlock<4>(D(), reinterpret_cast<const unsigned char*>(rows + o * kTapChunk + t), kRowBytes,
+                   out + t * kGroup + o, kGroup);
+    }
+  }
+}
+
+// The usual case, eight taps of eight objects that all have records. False if one does not.
+HWY_NOINLINE bool FetchEightTaps(const TapRecord& source, size_t first_item, GroupTaps& group) {
+  const uint32_t* const indices = source.taps.indices + first_item * kTapChunk;
+  uint32_t largest = 0;
+  for (size_t k = 0; k < kGroup * kTapChunk; ++k) largest = HWY_MAX(largest, indices[k]);
+  if (largest >= source.packed.count) return false;
+  HWY_ALIGN float words[kGroup * kTapChunk];
+  for (size_t o = 0; o < kGroup; ++o) {
+    for (size_t t = 0; t < kTapChunk; ++t) {
+      const uint8_t* record =
+          source.packed.data + size_t{indices[o * kTapChunk + t]} * source.packed.stride;
+      group.records[t][o] = record;
+      std::memcpy(words + o * kTapChunk + t, record, sizeof(float));
+    }
+  }
+  TransposeTaps(words, reinterpret_cast<float*>(group.words[0]));
+  TransposeTaps(source.taps.weights + first_item * kTapChunk, group.weights[0]);
+  return true;
+}
+GAUNT_LANES bool FetchEightTaps(const EachRecord&, size_t, GroupTaps&) { return false; }
+
+#else
+
+template <class Source>
+bool FetchEightTaps(const Source&, size_t, GroupTaps&) {
+  return false;
+}
+
+#endif
+
 // out of item i = sum over its taps of weight times decoded record, bands below n only.
 template <int n, class Source>
 void GatherRecords(size_t count, size_t taps, const Source& source, const simd::OutView& out) {
@@ -143,7 +188,9 @@ void GatherRecords(size_t count, size_t taps, const Source& source, const simd::
       for (size_t t = 0; t == 0 || t < taps; t += kTapChunk) {
         const size_t chunk = std::min(kTapChunk, taps - t);
         GroupTaps group;
-        FetchTaps(source, done + o, items, t, chunk, group);
+        if (taps != kTapChunk || items != kGroup || !FetchEightTaps(source, done + o, group)) {
+          FetchTaps(source, done + o, items, t, chunk, group);
+        }
         SumMeans(group, chunk, t == 0, group_means);
         switch (chunk) {
           case 1: SumGroup<1>(group, 1, t == 0, group_rows); break;

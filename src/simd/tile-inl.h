@@ -102,21 +102,20 @@ GAUNT_LANES void Transpose4(D d, V& a, V& b, V& c, V& e) {
   e = hn::BitCast(d, hn::InterleaveUpper(wide, ab_upper, ce_upper));
 }
 
-// Planes from the one that `row` points at, of a group of items. Where items are back to back, all but
-// the last of a block may read a float of the next one.
-template <int kFloats, int kFloatsInside = kFloats>
-GAUNT_LANES void LoadBlock(const unsigned char* row, ptrdiff_t item_stride,
-                           float* HWY_RESTRICT tile) {
-  const LaneTag d;
+// Planes from the one that `row` points at, of a group of items; `tile_stride` floats from plane to
+// plane. Where items are back to back, all but the last of a block may read a float of the next one.
+template <int kFloats, int kFloatsInside = kFloats, class D>
+GAUNT_LANES void LoadBlock(D d, const unsigned char* row, ptrdiff_t item_stride,
+                           float* HWY_RESTRICT tile, size_t tile_stride) {
   auto a = LoadBlocks<kFloatsInside>(d, row, item_stride);
   auto b = LoadBlocks<kFloatsInside>(d, row + item_stride, item_stride);
   auto c = LoadBlocks<kFloatsInside>(d, row + 2 * item_stride, item_stride);
   auto e = LoadBlocks<kFloats>(d, row + 3 * item_stride, item_stride);
   Transpose4(d, a, b, c, e);
   hn::Store(a, d, tile);
-  hn::Store(b, d, tile + kMaxLanes);
-  hn::Store(c, d, tile + 2 * kMaxLanes);
-  if constexpr (kFloats == 4) hn::Store(e, d, tile + 3 * kMaxLanes);
+  hn::Store(b, d, tile + tile_stride);
+  hn::Store(c, d, tile + 2 * tile_stride);
+  if constexpr (kFloats == 4) hn::Store(e, d, tile + 3 * tile_stride);
 }
 
 template <int kFloats>
@@ -136,8 +135,8 @@ GAUNT_LANES void StoreBlock(const float* HWY_RESTRICT tile, unsigned char* row,
 
 #else
 
-template <int kFloats, int kFloatsInside = kFloats>
-void LoadBlock(const unsigned char*, ptrdiff_t, float*) {}
+template <int kFloats, int kFloatsInside = kFloats, class D>
+void LoadBlock(D, const unsigned char*, ptrdiff_t, float*, size_t) {}
 template <int kFloats>
 void StoreBlock(const float*, unsigned char*, ptrdiff_t) {}
 
@@ -154,11 +153,13 @@ GAUNT_LANES void ForEachBlock(size_t planes, const Block& block) {
 GAUNT_LANES void LoadRows(RowShape shape, const unsigned char* row, ptrdiff_t item_stride,
                           size_t planes, float* HWY_RESTRICT tile) {
   if (shape == RowShape::kTriples) {
-    if (item_stride == 3 * sizeof(float)) return LoadBlock<3, 4>(row, item_stride, tile);
-    return LoadBlock<3>(row, item_stride, tile);
+    if (item_stride == 3 * sizeof(float)) {
+      return LoadBlock<3, 4>(LaneTag(), row, item_stride, tile, kMaxLanes);
+    }
+    return LoadBlock<3>(LaneTag(), row, item_stride, tile, kMaxLanes);
   }
   ForEachBlock(planes, [=](size_t p) HWY_ATTR {
-    LoadBlock<4>(row + 4 * p, item_stride, tile + p * kMaxLanes);
+    LoadBlock<4>(LaneTag(), row + 4 * p, item_stride, tile + p * kMaxLanes, kMaxLanes);
   });
 }
 
