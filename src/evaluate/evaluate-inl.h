@@ -30,8 +30,8 @@ struct Evaluate {
     basis::HWY_NAMESPACE::Eval<n>()(k, direction, y);
     Scale<0>(k, y);
     for (size_t c = 0; c < channels; ++c) {
-      const size_t plane = c * NumCoefficients(n);
-      out(c, Sum<1>(k, f, plane, y, Mul(y(0), f(plane))));
+      const auto channel = f.From(c * NumCoefficients(n));
+      out(c, Sum<1>(channel, y, Mul(y(0), channel(0))));
     }
   }
 
@@ -51,15 +51,14 @@ struct Evaluate {
     }
   }
 
-  template <int i, class K, class InF, class Slots>
-  static GAUNT_LANES typename K::V Sum(const K& k, const InF& f, size_t plane, const Slots& y,
-                                       typename K::V sum) {
+  template <int i, class InF, class Slots, class V>
+  static GAUNT_LANES V Sum(const InF& f, const Slots& y, V sum) {
     if constexpr (i == NumCoefficients(n)) {
       return sum;
     } else if constexpr (Quantity::Band(Band(i)) == 0.0) {
-      return Sum<i + 1>(k, f, plane, y, sum);
+      return Sum<i + 1>(f, y, sum);
     } else {
-      return Sum<i + 1>(k, f, plane, y, MulAdd(y(i), f(plane + i), sum));
+      return Sum<i + 1>(f, y, MulAdd(y(i), f(i), sum));
     }
   }
 };
@@ -70,17 +69,18 @@ struct Constants {
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& f, const Out& out) const {
     for (size_t c = 0; c < 3; ++c) {
-      const size_t a = 4 * c, b = 12 + 4 * c;
-      const auto l6 = f(9 * c + 6);
-      out(a, Mul(k(-kC1), f(9 * c + 3)));
-      out(a + 1, Mul(k(-kC1), f(9 * c + 1)));
-      out(a + 2, Mul(k(kC1), f(9 * c + 2)));
-      out(a + 3, MulAdd(k(-kC3), l6, Mul(k(kC0), f(9 * c))));
-      out(b, Mul(k(kC2), f(9 * c + 4)));
-      out(b + 1, Mul(k(-kC2), f(9 * c + 5)));
-      out(b + 2, Mul(k(3.0 * kC3), l6));
-      out(b + 3, Mul(k(-kC2), f(9 * c + 7)));
-      out(24 + c, Mul(k(kC4), f(9 * c + 8)));
+      const auto l = f.From(9 * c);
+      const auto a = out.From(4 * c), b = out.From(12 + 4 * c);
+      const auto l6 = l(6);
+      a(0, Mul(k(-kC1), l(3)));
+      a(1, Mul(k(-kC1), l(1)));
+      a(2, Mul(k(kC1), l(2)));
+      a(3, MulAdd(k(-kC3), l6, Mul(k(kC0), l(0))));
+      b(0, Mul(k(kC2), l(4)));
+      b(1, Mul(k(-kC2), l(5)));
+      b(2, Mul(k(3.0 * kC3), l6));
+      b(3, Mul(k(-kC2), l(7)));
+      out(24 + c, Mul(k(kC4), l(8)));
     }
     out(27, k(1.0));
   }

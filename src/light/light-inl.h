@@ -31,11 +31,11 @@ struct Direction {
     V mean = k(0.0), x = k(0.0), y = k(0.0), z = k(0.0);
     for (size_t c = 0; c < channels; ++c) {
       const V weight = k(static_cast<double>(weights[c]));
-      const size_t plane = c * coefficients;
-      mean = MulAdd(weight, in(plane), mean);
-      y = NegMulAdd(weight, in(plane + 1), y);
-      z = MulAdd(weight, in(plane + 2), z);
-      x = NegMulAdd(weight, in(plane + 3), x);
+      const auto f = in.From(c * coefficients);
+      mean = MulAdd(weight, f(0), mean);
+      y = NegMulAdd(weight, f(1), y);
+      z = MulAdd(weight, f(2), z);
+      x = NegMulAdd(weight, f(3), x);
     }
     constexpr double kTiny = 0x1p-40, kHuge = 0x1p60, kScale = 0x1p80;
     const V largest = Max(Max(Abs(x), Abs(y)), Abs(z));
@@ -68,9 +68,9 @@ struct Extract {
     typename K::template Slots<NumCoefficients(n)> y;
     basis::HWY_NAMESPACE::Eval<n>()(k, direction, y);
     for (size_t c = 0; c < channels; ++c) {
-      const size_t plane = c * NumCoefficients(n);
-      const V mean = in(plane);
-      const V fitted = AtLeastZero(k, BandSum<1>(k, in, plane, y));
+      const auto f = in.From(c * NumCoefficients(n));
+      const V mean = f(0);
+      const V fitted = AtLeastZero(k, BandSum<1>(k, f, y));
       const V left = NegMulAdd(k(Constants::kMean), fitted, mean);
       const V alone = AtLeastZero(
           k, MulAdd(k(Constants::kAlone), fitted, Mul(k(Constants::kAloneMean), mean)));
@@ -88,29 +88,28 @@ struct Extract {
 
   // sum over bands l.. of Band(l) sum_m y_lm f_lm
   template <int l, class K, class In, class Slots>
-  static GAUNT_LANES typename K::V BandSum(const K& k, const In& in, size_t plane,
-                                           const Slots& y) {
+  static GAUNT_LANES typename K::V BandSum(const K& k, const In& f, const Slots& y) {
     constexpr double kBand = Constants::Band(l);
     constexpr int kFirst = CoefficientIndex(l, -l);
-    const auto dot = Dot<kFirst + 1, CoefficientIndex(l, l)>(
-        in, plane, y, Mul(y(kFirst), in(plane + kFirst)));
+    const auto dot =
+        Dot<kFirst + 1, CoefficientIndex(l, l)>(f, y, Mul(y(kFirst), f(kFirst)));
     if constexpr (l + 1 == n) {
       return Mul(k(kBand), dot);
     } else if constexpr (Constants::Band(l + 1) == 0.0 && l + 2 == n) {
       return Mul(k(kBand), dot);
     } else if constexpr (Constants::Band(l + 1) == 0.0) {
-      return MulAdd(k(kBand), dot, BandSum<l + 2>(k, in, plane, y));
+      return MulAdd(k(kBand), dot, BandSum<l + 2>(k, f, y));
     } else {
-      return MulAdd(k(kBand), dot, BandSum<l + 1>(k, in, plane, y));
+      return MulAdd(k(kBand), dot, BandSum<l + 1>(k, f, y));
     }
   }
 
   template <int i, int last, class In, class Slots, class V>
-  static GAUNT_LANES V Dot(const In& in, size_t plane, const Slots& y, V sum) {
+  static GAUNT_LANES V Dot(const In& f, const Slots& y, V sum) {
     if constexpr (i > last) {
       return sum;
     } else {
-      return Dot<i + 1, last>(in, plane, y, MulAdd(y(i), in(plane + i), sum));
+      return Dot<i + 1, last>(f, y, MulAdd(y(i), f(i), sum));
     }
   }
 };

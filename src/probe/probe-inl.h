@@ -79,18 +79,19 @@ struct FinishGather {
   GAUNT_LANES void operator()(const K& k, const InR& ratios, const InM& means,
                               const Out& out) const {
     for (size_t c = 0; c < Sh3::kChannels; ++c) {
-      out(c * NumCoefficients(n), means(c));
-      Scale<1>(k, ratios, c, out);
+      const auto f = out.From(c * NumCoefficients(n));
+      f(0, means(c));
+      Scale<1>(k, ratios.From(c * Sh3::kRatios), f);
     }
   }
 
  private:
   template <int i, class K, class InR, class Out>
-  static GAUNT_LANES void Scale(const K& k, const InR& ratios, size_t c, const Out& out) {
+  static GAUNT_LANES void Scale(const K& k, const InR& ratios, const Out& f) {
     if constexpr (i < NumCoefficients(n)) {
       constexpr double kFactor = kSh3Factors.decode[i - 1];
-      out(c * NumCoefficients(n) + i, Mul(k(kFactor), ratios(c * Sh3::kRatios + i - 1)));
-      Scale<i + 1>(k, ratios, c, out);
+      f(i, Mul(k(kFactor), ratios(i - 1)));
+      Scale<i + 1>(k, ratios, f);
     }
   }
 };

@@ -59,34 +59,34 @@ struct RotateMatrix {
   template <class K, class M, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const M& matrix, const In& in, const Out& out) const {
     for (size_t c = 0; c < channels; ++c) {
-      const size_t plane = c * NumCoefficients(n);
-      out(plane, in(plane));
-      if constexpr (n > 1) Band1(matrix, in, out, plane + 1);
-      if constexpr (n > 2) Band2(k, matrix, in, out, plane + 4);
+      const auto from = in.From(c * NumCoefficients(n));
+      const auto to = out.From(c * NumCoefficients(n));
+      to(0, from(0));
+      if constexpr (n > 1) Band1(matrix, from, to);
+      if constexpr (n > 2) Band2(k, matrix, from, to);
     }
   }
 
  private:
   // (f_1,-1, f_1,0, f_1,1) = (-y, z, -x) of a vector, times one constant.
   template <class M, class In, class Out>
-  static GAUNT_LANES void Band1(const M& matrix, const In& in, const Out& out, size_t p) {
-    const auto x = Neg(in(p + 2)), y = Neg(in(p)), z = in(p + 1);
+  static GAUNT_LANES void Band1(const M& matrix, const In& in, const Out& out) {
+    const auto x = Neg(in(3)), y = Neg(in(1)), z = in(2);
     const auto rx = RowDot(matrix, 0, x, y, z);
     const auto ry = RowDot(matrix, 1, x, y, z);
     const auto rz = RowDot(matrix, 2, x, y, z);
-    out(p, Neg(ry));
-    out(p + 1, rz);
-    out(p + 2, Neg(rx));
+    out(1, Neg(ry));
+    out(2, rz);
+    out(3, Neg(rx));
   }
 
   // f(s) = s^T T s with T = [a d e; d b g; e g c] of trace zero, and T' = R T R^T. In units of
   // sqrt(15/pi)/4: d = f_4, g = -f_5, e = -f_7, a = f_8 - t, b = -f_8 - t, c = 2 t, t = f_6/sqrt(3).
   template <class K, class M, class In, class Out>
-  static GAUNT_LANES void Band2(const K& k, const M& matrix, const In& in, const Out& out,
-                                size_t p) {
+  static GAUNT_LANES void Band2(const K& k, const M& matrix, const In& in, const Out& out) {
     using V = typename K::V;
     constexpr double kTrace = 1.0 / ConstexprSqrt(3.0);
-    const V d = in(p), g = Neg(in(p + 1)), e = Neg(in(p + 3)), f6 = in(p + 2), f8 = in(p + 4);
+    const V d = in(4), g = Neg(in(5)), e = Neg(in(7)), f6 = in(6), f8 = in(8);
     const V t = Mul(k(kTrace), f6);
     const V a = Sub(f8, t), b = Neg(Add(f8, t)), c = Add(t, t);
     // Rows of S = R T, one at a time, and the entries of S R^T that are wanted.
@@ -99,11 +99,11 @@ struct RotateMatrix {
             sz2 = RowDot(matrix, 2, e, g, c);
     const V yz = RowDot(matrix, 1, sz0, sz1, sz2);
     const V zz = RowDot(matrix, 2, sz0, sz1, sz2);
-    out(p, xy);
-    out(p + 1, Neg(yz));
-    out(p + 2, Mul(k(0.5 / kTrace), zz));
-    out(p + 3, Neg(zx));
-    out(p + 4, MulAdd(k(0.5), zz, xx));  // (xx - yy) / 2, with yy = -xx - zz
+    out(4, xy);
+    out(5, Neg(yz));
+    out(6, Mul(k(0.5 / kTrace), zz));
+    out(7, Neg(zx));
+    out(8, MulAdd(k(0.5), zz, xx));  // (xx - yy) / 2, with yy = -xx - zz
   }
 };
 

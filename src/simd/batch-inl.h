@@ -28,6 +28,17 @@ struct Cursor {
   size_t groups;
   size_t left;
 
+  Cursor(Byte* d, ptrdiff_t plane, ptrdiff_t s, ptrdiff_t j, size_t g, size_t l)
+      : data(d), plane_stride(plane), step(s), jump(j), groups(g), left(l) {}
+  // Field by field: as a block it would be read back wider than it was written, which is slow.
+  GAUNT_LANES Cursor(const Cursor& o)
+      : data(o.data),
+        plane_stride(o.plane_stride),
+        step(o.step),
+        jump(o.jump),
+        groups(o.groups),
+        left(o.left) {}
+
   static Cursor At(const simd::BasicView<Byte>& view, size_t first) {
     const size_t lanes = hn::Lanes(LaneTag());
     const ptrdiff_t step = static_cast<ptrdiff_t>(lanes * sizeof(float));
@@ -158,15 +169,20 @@ class Out : private TileStorage<kPlanes>, public OutSide {
       : OutSide(view, planes, first, this->tile, TileStorage<kPlanes>::kGroups) {}
 };
 
-// The one place where a kernel is instantiated. Out of line, with every cursor a local value: the
-// compiler knows that no store of the kernel changes them.
 template <class K, class Kernel, class... Cursors>
-HWY_NOINLINE void RunGroups(const Kernel kernel, size_t groups, Cursors... cursors) {
+GAUNT_LANES void Loop(const Kernel kernel, size_t groups, Cursors... cursors) {
   const K k;
   for (; groups != 0; --groups) {
     kernel(k, cursors.Here()...);
     (cursors.Next(), ...);
   }
+}
+
+// The one place where a kernel is instantiated. Out of line, with every cursor a local value: the
+// compiler knows that no store of the kernel changes them.
+template <class K, class Kernel, class... Cursors>
+HWY_NOINLINE void RunGroups(const Kernel& kernel, size_t groups, const Cursors&... cursors) {
+  Loop<K, Kernel, Cursors...>(kernel, groups, cursors...);
 }
 
 // Once per kernel, whatever the sizes of the sides' tiles.

@@ -64,6 +64,7 @@ inline Counted IfThenElseZero(CountedMask, Counted) { return {}; }
 inline Counted IfThenZeroElse(CountedMask, Counted) { return {}; }
 
 struct CountPlanes {
+  CountPlanes From(size_t) const { return {}; }
   Counted operator()(size_t) const { return ++CountedOperations().load, Counted(); }
   void operator()(size_t, Counted) const { ++CountedOperations().store; }
 };

@@ -45,10 +45,14 @@ using hn::Sub;
 inline constexpr size_t kMaxLanes = 16;
 using LaneTag = hn::CappedTag<float, kMaxLanes>;
 
-// Planes of a group of lanes in memory: reading, and writing.
+// Planes of a group of lanes in memory: reading, and writing. From(p) begins at plane p, so that a loop
+// over channels multiplies by the stride once per channel.
 struct PlanesIn {
   const unsigned char* data;
   ptrdiff_t stride;
+  GAUNT_LANES PlanesIn From(size_t p) const {
+    return {data + static_cast<ptrdiff_t>(p) * stride, stride};
+  }
   GAUNT_LANES hn::Vec<LaneTag> operator()(size_t p) const {
     return hn::LoadU(LaneTag(), reinterpret_cast<const float*>(
                                     data + static_cast<ptrdiff_t>(p) * stride));
@@ -58,6 +62,9 @@ struct PlanesIn {
 struct PlanesOut {
   unsigned char* data;
   ptrdiff_t stride;
+  GAUNT_LANES PlanesOut From(size_t p) const {
+    return {data + static_cast<ptrdiff_t>(p) * stride, stride};
+  }
   GAUNT_LANES void operator()(size_t p, hn::Vec<LaneTag> v) const {
     hn::StoreU(v, LaneTag(), reinterpret_cast<float*>(data + static_cast<ptrdiff_t>(p) * stride));
   }
