@@ -49,7 +49,7 @@ struct Cursor {
             step,
             view.tile_stride - static_cast<ptrdiff_t>(groups) * step,
             groups,
-            groups - first % view.tile_items / lanes};
+            first == 0 ? groups : groups - first % view.tile_items / lanes};
   }
 
   // Stack tiles, `step` bytes apart; 0 stays at the same one, which is what a broadcast needs.
