@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What the machine can do at most, measured in the same run as the kernels.
+#ifndef GAUNT_BENCH_LIMITS_H_
+#define GAUNT_BENCH_LIMITS_H_
+
+#include <cstddef>
+
+#include "simd/count.h"
+
+namespace gaunt::bench {
+
+// Nanoseconds per lane, with the chosen target's vectors and enough independent work to fill the pipes.
+struct ArithmeticLimits {
+  double fma;  // multiplications and fused multiply-adds
+  double add;
+  double div;  // the mean of a division and a square root
+};
+
+// Nanoseconds per byte, streaming over a working set.
+struct MemoryLimits {
+  double load;
+  double store;
+};
+
+// Of the chosen target; measured once per target.
+const ArithmeticLimits& MeasureArithmetic();
+// At the cache level that holds a working set; measured once per target and level.
+const MemoryLimits& MeasureMemory(size_t working_set);
+
+// Nanoseconds that an item takes at least: the longest of its multiplications, its additions, its
+// divisions and roots, the bytes it reads, and the bytes it writes.
+double LimitOf(const Operations& operations, size_t bytes_read, size_t bytes_written,
+               size_t working_set);
+
+}  // namespace gaunt::bench
+
+#endif  // GAUNT_BENCH_LIMITS_H_

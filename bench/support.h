@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Benchmarks of batched functions: every target and layout, with operations and limits beside times.
+// Names read family/op/n<order>/<layout>/<items>/<target>.
+#ifndef GAUNT_BENCH_SUPPORT_H_
+#define GAUNT_BENCH_SUPPORT_H_
+
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gaunt/gaunt.h"
+#include "simd/count.h"
+
+namespace gaunt::bench {
+
+// Sizes: in cache and not a power of two; the same with one; out of every cache.
+inline constexpr size_t kSmall = 1000, kPowerOfTwo = 1024, kLarge = 1u << 20;
+
+enum class Layout { kPlanar, kInterleaved, kTiled };
+
+struct BatchBenchmark {
+  using Views = std::vector<const gaunt_view*>;
+
+  std::string name;  // family/op/n<order>
+  Operations operations;
+  std::vector<size_t> inputs;  // planes
+  std::vector<size_t> outputs;
+  std::function<gaunt_status(size_t count, const Views& in, const Views& out)> call;
+  // Fills an item of input `side`; by default with numbers in [-1, 1].
+  std::function<void(size_t item, size_t side, float* planes)> make;
+  bool large = false;  // out of cache too
+};
+
+void RegisterBatch(const BatchBenchmark& batch);
+
+// A scalar loop over interleaved items, for comparison: family/op/n<order>/interleaved/<items>/<name>.
+struct ScalarBenchmark {
+  std::string name;      // family/op/n<order>
+  std::string baseline;  // "scalar"
+  size_t input, output;  // planes
+  std::function<void(size_t count, const float* in, float* out)> call;
+  std::function<void(size_t item, size_t side, float* planes)> make;
+};
+void RegisterScalar(const ScalarBenchmark& scalar);
+
+// Unit vectors, for inputs.
+void MakeDirection(size_t item, size_t side, float* planes);
+
+// Each family's registration, called by main.
+#define GAUNT_BENCHMARKS(family) void RegisterBenchmarks_##family()
+
+}  // namespace gaunt::bench
+
+#endif  // GAUNT_BENCH_SUPPORT_H_
