@@ -33,3 +33,29 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_NM AND READELF)
     -DEXPORTS=${PROJECT_SOURCE_DIR}/capi/exports.txt
     -P ${PROJECT_SOURCE_DIR}/tests/exports_test.cmake)
 endif()
+
+# Examples, as a user compiles them.
+add_executable(hello examples/hello.c)
+target_link_libraries(hello PRIVATE gaunt)
+add_test(NAME Examples.Hello COMMAND hello)
+add_executable(frame_example examples/frame.cpp)
+target_link_libraries(frame_example PRIVATE gaunt)
+add_test(NAME Examples.Frame COMMAND frame_example)
+add_test(NAME Examples.Readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE_DIR}/README.md
+  -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/hello.c
+  -P ${PROJECT_SOURCE_DIR}/tests/readme_test.cmake)
+
+# The command and the installed package, where they are built.
+if(GAUNT_TOOLS)
+  add_test(NAME Command COMMAND ${PROJECT_SOURCE_DIR}/tests/command_test.sh
+    $<TARGET_FILE:gaunt_command>)
+  if(PROJECT_IS_TOP_LEVEL)
+    add_test(NAME Install COMMAND ${PROJECT_SOURCE_DIR}/tests/install_test.sh
+      ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+  endif()
+endif()
+if(GAUNT_BENCH)
+  # One short pass of each benchmark of the best target: they still run.
+  add_test(NAME Bench COMMAND gaunt_bench --benchmark_min_time=0.001
+    --benchmark_filter=/1000/|frame/2000_objects_2048)
+endif()

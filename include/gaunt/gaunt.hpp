@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// A C++ face of gaunt.h, in one header: views of standard containers, and exceptions instead of statuses.
+// It adds no ABI; every function is one call of the C API, which documents it.
+#ifndef GAUNT_GAUNT_HPP_
+#define GAUNT_GAUNT_HPP_
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "gaunt/gaunt.h"
+
+namespace gaunt {
+
+// Thrown by the functions below.
+class Error : public std::runtime_error {
+ public:
+  Error(const char* function, gaunt_status status)
+      : std::runtime_error(std::string(function) + ": " + gaunt_status_string(status)),
+        status_(status) {}
+  gaunt_status status() const { return status_; }
+
+ private:
+  gaunt_status status_;
+};
+
+namespace detail {
+inline void Check(const char* function, gaunt_status status) {
+  if (status != GAUNT_OK) throw Error(function, status);
+}
+}  // namespace detail
+
+// A gaunt_view whose elements are inputs (const float) or outputs (float). An output can be used as an
+// input, not the other way round.
+class InView {
+ public:
+  InView(const gaunt_view& view) : view_(view) {}  // NOLINT(google-explicit-constructor)
+  const gaunt_view* get() const { return &view_; }
+
+ private:
+  gaunt_view view_;
+};
+
+class OutView : public InView {
+ public:
+  explicit OutView(const gaunt_view& view) : InView(view) {}
+};
+
+namespace detail {
+// Views have one type in C; inputs are never written.
+template <class Fill>
+gaunt_view Make(const float* data, const Fill& fill) {
+  gaunt_view view;
+  Check("gaunt_view", fill(const_cast<float*>(data), &view));
+  return view;
+}
+}  // namespace detail
+
+// Where planes of a batch lie: an InView of const floats, an OutView of floats.
+#define GAUNT_VIEW_MAKER(name, parameter, argument)                                         \
+  inline InView name(const float* data parameter) {                                         \
+    return detail::Make(data, [&](float* d, gaunt_view* v) { return gaunt_view_##argument; }); \
+  }                                                                                         \
+  inline OutView name(float* data parameter) {                                              \
+    return OutView(                                                                         \
+        detail::Make(data, [&](float* d, gaunt_view* v) { return gaunt_view_##argument; })); \
+  }
+#define GAUNT_COMMA ,
+GAUNT_VIEW_MAKER(Planar, GAUNT_COMMA ptrdiff_t plane_stride, planar(d, plane_stride, v))
+GAUNT_VIEW_MAKER(Interleaved, GAUNT_COMMA size_t planes, interleaved(d, planes, v))
+GAUNT_VIEW_MAKER(Tiled, GAUNT_COMMA size_t planes, tiled(d, planes, v))
+#undef GAUNT_COMMA
+#undef GAUNT_VIEW_MAKER
+inline InView Broadcast(const float* data) { return detail::Make(data, gaunt_view_broadcast); }
+
+inline void BasisEval(uint32_t n, size_t count, const InView& directions, const OutView& out) {
+  detail::Check("gaunt_basis_eval", gaunt_basis_eval(n, count, directions.get(), out.get()));
+}
+
+inline void ShEvaluate(uint32_t n, uint32_t channels, size_t count, const InView& coefficients,
+                       const InView& directions, const OutView& out) {
+  detail::Check("gaunt_sh_evaluate", gaunt_sh_evaluate(n, channels, count, coefficients.get(),
+                                                       directions.get(), out.get()));
+}
+
+inline void IrradianceEvaluate(uint32_t n, uint32_t channels, size_t count, const InView& radiance,
+                               const InView& normals, const OutView& out) {
+  detail::Check("gaunt_irradiance_evaluate",
+                gaunt_irradiance_evaluate(n, channels, count, radiance.get(), normals.get(),
+                                          out.get()));
+}
+
+inline void IrradianceConstants(uint32_t n, size_t count, const InView& radiance,
+                                const OutView& out) {
+  detail::Check("gaunt_irradiance_constants",
+                gaunt_irradiance_constants(n, count, radiance.get(), out.get()));
+}
+
+inline void ShBlend(uint32_t n, uint32_t channels, size_t count, const InView& a, const InView& b,
+                    const InView& t, const OutView& out) {
+  detail::Check("gaunt_sh_blend",
+                gaunt_sh_blend(n, channels, count, a.get(), b.get(), t.get(), out.get()));
+}
+
+inline void ProjectEquirect(uint32_t n, uint32_t channels, const gaunt_image& image,
+                            const gaunt_project_options* options, const OutView& out) {
+  detail::Check("gaunt_project_equirect",
+                gaunt_project_equirect(n, channels, &image, options, out.get()));
+}
+
+inline void Rotate(uint32_t n, uint32_t channels, size_t count, const InView& quaternions,
+                   const InView& in, const OutView& out) {
+  detail::Check("gaunt_rotate",
+                gaunt_rotate(n, channels, count, quaternions.get(), in.get(), out.get()));
+}
+
+inline void RotateMatrix(uint32_t n, uint32_t channels, size_t count, const InView& matrices,
+                         const InView& in, const OutView& out) {
+  detail::Check("gaunt_rotate_matrix",
+                gaunt_rotate_matrix(n, channels, count, matrices.get(), in.get(), out.get()));
+}
+
+inline void LightDirection(uint32_t n, uint32_t channels, size_t count, const InView& in,
+                           const float* weights, const OutView& directions) {
+  detail::Check("gaunt_light_direction",
+                gaunt_light_direction(n, channels, count, in.get(), weights, directions.get()));
+}
+
+inline void LightExtract(uint32_t n, uint32_t channels, uint32_t lights, uint32_t sense,
+                         size_t count, const InView& in, const InView& directions,
+                         const OutView& colours, const OutView& ambient) {
+  detail::Check("gaunt_light_extract",
+                gaunt_light_extract(n, channels, lights, sense, count, in.get(), directions.get(),
+                                    colours.get(), ambient.get()));
+}
+
+inline gaunt_format_properties FormatInfo(uint32_t format) {
+  gaunt_format_properties properties = {sizeof(properties), 0, 0, 0};
+  detail::Check("gaunt_format_info", gaunt_format_info(format, &properties));
+  return properties;
+}
+
+inline void ProbeEncode(uint32_t format, size_t count, const InView& in, void* packed,
+                        size_t stride) {
+  detail::Check("gaunt_probe_encode",
+                gaunt_probe_encode(format, count, in.get(), packed, stride, nullptr));
+}
+
+inline void ProbeEncode(uint32_t format, size_t count, const InView& in, void* packed,
+                        size_t stride, const OutView& report) {
+  detail::Check("gaunt_probe_encode",
+                gaunt_probe_encode(format, count, in.get(), packed, stride, report.get()));
+}
+
+inline void ProbeDecode(uint32_t format, size_t count, const void* packed, size_t stride,
+                        const OutView& out) {
+  detail::Check("gaunt_probe_decode",
+                gaunt_probe_decode(format, count, packed, stride, out.get()));
+}
+
+inline void ProbeGather(uint32_t format, uint32_t n_out, size_t count, uint32_t taps,
+                        const uint32_t* indices, const float* weights, const void* packed,
+                        size_t packed_count, size_t stride, const OutView& out) {
+  detail::Check("gaunt_probe_gather",
+                gaunt_probe_gather(format, n_out, count, taps, indices, weights, packed,
+                                   packed_count, stride, out.get()));
+}
+
+}  // namespace gaunt
+
+#endif  // GAUNT_GAUNT_HPP_

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# install_test.sh BUILD SOURCE: installs the build into a temporary prefix, and builds tests/install
+# against it with find_package, static and shared.
+set -euo pipefail
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cmake --install "$1" --prefix "$work/prefix" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+cmake -S "$2/tests/install" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/log" 2>&1 &&
+  cmake --build "$work/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+"$work/build/hello_static"
+LD_LIBRARY_PATH="$(dirname "$(find "$work/prefix" -name 'libgaunt.so' | head -1)")" \
+  "$work/build/hello_shared"
