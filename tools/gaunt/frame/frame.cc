@@ -24,7 +24,7 @@ namespace {
 constexpr size_t kRecordBytes = 28;
 constexpr uint64_t kMaxProbes = 1u << 22;
 constexpr int kPictureWidth = 1280, kPictureHeight = 480;
-constexpr size_t kMaxPictureObjects = 600;  // more would hide the scene
+constexpr size_t kMaxPictureObjects = 300;  // more would hide the scene
 
 struct FrameOptions {
   std::string scene = "courtyard";
@@ -102,17 +102,21 @@ LitSphere MakeSphere(const Vec3& centre, double radius, const Vec3& albedo, cons
   return sphere;
 }
 
-// Objects as spheres. Those that rotate are lit in their own axes, so they are drawn unrotated light
-// only where they do not.
-std::vector<LitSphere> ObjectSpheres(const Objects& objects, const std::vector<float>& constants,
+// Some of the objects as spheres: not those that rotate, whose light is in axes of their own, and not
+// those right before the camera.
+std::vector<LitSphere> ObjectSpheres(const Scene& scene, const Objects& objects,
+                                     const std::vector<float>& constants,
                                      const std::vector<float>& lights) {
+  const Bounds& bounds = scene.probe_bounds();
+  const double size = Length(bounds.high - bounds.low);
   std::vector<LitSphere> spheres;
   for (size_t i = 0; i < objects.count() && spheres.size() < kMaxPictureObjects; ++i) {
-    if (objects.rotates()[i]) continue;
+    const Vec3 centre = objects.Position(i);
+    const double radius = size * (0.006 + 0.008 * static_cast<double>(i * 31 % 17) / 17.0);
+    if (objects.rotates()[i] || Length(centre - scene.camera().position) < 18.0 * radius) continue;
     const double tint = static_cast<double>(i * 7919 % 97) / 97.0;
     const Vec3 albedo = {0.80, 0.62 + 0.2 * tint, 0.50 + 0.3 * (1.0 - tint)};
-    spheres.push_back(MakeSphere(objects.Position(i),
-                                 0.10 + 0.12 * static_cast<double>(i * 31 % 17) / 17.0, albedo,
+    spheres.push_back(MakeSphere(centre, radius, albedo,
                                  constants.data() + LightJob::kConstants * i,
                                  lights.data() + LightJob::kLight * i));
   }
@@ -155,8 +159,9 @@ void WritePictures(const FrameOptions& options, const Scene& scene, const Enviro
         WritePng(picture, (std::filesystem::path(options.out) / name).string());
     if (!error.empty()) throw BadInput(error);
   };
-  write(ObjectSpheres(objects, result.constants, result.lights),
-        ObjectSpheres(objects, result.reference_constants, result.reference_lights), "frame.png");
+  write(ObjectSpheres(scene, objects, result.constants, result.lights),
+        ObjectSpheres(scene, objects, result.reference_constants, result.reference_lights),
+        "frame.png");
   write(ProbeSpheres(volume, decoded), ProbeSpheres(volume, exact), "probes.png");
 }
 

@@ -152,7 +152,7 @@ Picture Render(const Scene& scene, const Environment& environment, const Indirec
   const Samples empty = RenderScene(scene, environment, indirect, view);
   double log_sum = 0.0;
   for (const Vec3& colour : empty.colour) log_sum += std::log(1e-4 + Luminance(colour));
-  const double exposure = 0.45 / std::exp(log_sum / static_cast<double>(empty.colour.size()));
+  const double exposure = 0.36 / std::exp(log_sum / static_cast<double>(empty.colour.size()));
 
   Picture picture = {width, height, {}};
   picture.rgb.assign(static_cast<size_t>(width) * static_cast<size_t>(height) * 3, 255);
