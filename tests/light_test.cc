@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 
-#include "basis/basis_reference.h"
 #include "gaunt/gaunt.h"
 #include "light/constants.h"
 #include "tests/support/golden.h"
@@ -18,19 +17,18 @@
 namespace gaunt::test {
 namespace {
 
-// Radiance of a lamp over ambient light, so that there is a direction to find.
+// Radiance with a mean and a direction to find, in all channels alike.
 void MakeRadiance(Random& random, uint32_t n, uint32_t channels, float* out) {
   float d[3];
   random.Direction(d);
-  const double direction[3] = {d[0], d[1], d[2]};
-  std::vector<double> y(n * n);
-  basis::EvalReference(static_cast<int>(n), direction, y.data());
   for (uint32_t c = 0; c < channels; ++c) {
-    const double strength = random.Between(0.2, 1.0), ambient = random.Between(0.0, 1.0);
-    for (uint32_t i = 0; i < n * n; ++i) {
-      const double value = strength * y[i] + (i == 0 ? ambient : 0.05 * random.Between(-1.0, 1.0));
-      out[c * n * n + i] = static_cast<float>(value);
-    }
+    float* f = out + c * n * n;
+    random.Fill(f, n * n, -0.3, 0.3);
+    const float strength = random.Between(0.6, 1.0);
+    f[0] = random.Between(0.5, 1.5);
+    f[1] = 0.2f * f[1] - strength * d[1];
+    f[2] = 0.2f * f[2] + strength * d[2];
+    f[3] = 0.2f * f[3] - strength * d[0];
   }
 }
 

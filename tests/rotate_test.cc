@@ -36,7 +36,7 @@ Operation RotateOperation(uint32_t n, uint32_t channels, By by) {
     float q[4];
     random.Fill(q, 4, -1.0, 1.0);
     // Lengths far from 1, near-pole tilts, and no rotation at all are all in the batch.
-    const float scale = std::pow(10.0f, random.Between(-6.0, 6.0));
+    const float scale = std::ldexp(1.0f, static_cast<int>(random.Bits() % 41) - 20);
     if (random.Uniform() < 0.2) q[0] *= 1e-4f, q[1] *= 1e-4f;
     if (random.Uniform() < 0.1) q[0] = q[1] = q[2] = q[3] = 0.0f;
     if (by == By::kQuaternion) {

@@ -12,9 +12,14 @@
 
 #include <cstddef>
 
-// Target attributes come from the enclosing HWY_BEFORE_NAMESPACE.
+// Kernels are inlined into code of their own target, whose attributes come from the enclosing
+// HWY_BEFORE_NAMESPACE. Counting them is ordinary code, into which they could not be inlined.
+#undef GAUNT_LANES
+#ifdef GAUNT_COUNTING
+#define GAUNT_LANES inline
+#else
 #define GAUNT_LANES HWY_INLINE
-#define GAUNT_LANES_NOINLINE HWY_NOINLINE
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::HWY_NAMESPACE {

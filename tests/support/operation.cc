@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <map>
 
 #include "tests/support/buffer.h"
+#include "tests/support/golden.h"
 #include "tests/support/targets.h"
 
 namespace gaunt::test {
@@ -171,6 +175,39 @@ void TestNotANumber(const Operation& operation) {
   }
 }
 
+// FNV-1a over the bits of all outputs.
+std::string HashOf(const Operation& operation, const std::vector<Buffer>& out) {
+  uint64_t hash = 14695981039346656037u;
+  for (size_t s = 0; s < out.size(); ++s) {
+    for (size_t i = 0; i < kMostItems; ++i) {
+      for (size_t p = 0; p < operation.outputs[s]; ++p) {
+        const float value = out[s].Get(i, p);
+        uint32_t bits;
+        std::memcpy(&bits, &value, sizeof(bits));
+        for (int byte = 0; byte < 4; ++byte) hash = (hash ^ (bits >> (8 * byte) & 255)) * 1099511628211u;
+      }
+    }
+  }
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+void ExpectKnownBits(const std::string& name, bool fma, const std::string& hash) {
+  const std::string kind = fma ? "fma" : "plain";
+  if (const char* file = std::getenv("GAUNT_WRITE_BITS")) {
+    std::ofstream(file, std::ios::app) << name << "," << kind << "," << hash << "\n";
+    return;
+  }
+  for (const auto& row : ReadGolden("bits.csv")) {
+    if (row[0] == name && row[1] == kind) {
+      EXPECT_EQ(row[2], hash) << name << " " << kind;
+      return;
+    }
+  }
+  ADD_FAILURE() << "tests/golden/bits.csv has no row for " << name << " " << kind;
+}
+
 }  // namespace
 
 void TestBatches(const Operation& operation) {
@@ -194,7 +231,11 @@ void TestSameBits(const Operation& operation) {
     Run run(operation, kMostItems, AllIn(operation, Layout::kPlanar), Layout::kPlanar, inputs);
     ASSERT_EQ(run.Call(operation, kMostItems), GAUNT_OK);
     const auto [entry, inserted] = first.emplace(HasFma(target), run.out);
-    if (!inserted) ExpectSameOutputs(operation, kMostItems, entry->second, run.out, kNoItem);
+    if (inserted) {
+      ExpectKnownBits(operation.name, HasFma(target), HashOf(operation, run.out));
+    } else {
+      ExpectSameOutputs(operation, kMostItems, entry->second, run.out, kNoItem);
+    }
   }
   gaunt_target_select(nullptr);
 }

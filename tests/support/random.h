@@ -22,13 +22,15 @@ class Random {
   float Between(double from, double to) {
     return static_cast<float>(from + (to - from) * Uniform());
   }
-  // A uniform unit vector, rounded to float.
+  // A uniform unit vector, rounded to float. Only operations that IEEE 754 defines to the bit, so that
+  // hashes of results can be compared between machines.
   void Direction(float* d) {
-    const double z = 2.0 * Uniform() - 1.0, phi = 6.283185307179586 * Uniform();
-    const double r = std::sqrt(1.0 - z * z);
-    d[0] = static_cast<float>(r * std::cos(phi));
-    d[1] = static_cast<float>(r * std::sin(phi));
-    d[2] = static_cast<float>(z);
+    double v[3], squared;
+    do {
+      for (double& x : v) x = 2.0 * Uniform() - 1.0;
+      squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    } while (squared > 1.0 || squared < 0.01);
+    for (int k = 0; k < 3; ++k) d[k] = static_cast<float>(v[k] / std::sqrt(squared));
   }
   void Fill(float* values, size_t n, double from, double to) {
     for (size_t i = 0; i < n; ++i) values[i] = Between(from, to);
