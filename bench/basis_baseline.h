@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The basis as a scalar loop over interleaved directions: the kernel's own factored polynomials, one
-// direction at a time, compiled like a user's code.
+// The basis as a scalar loop over interleaved directions: the kernel's own factored polynomials,
+// one direction at a time, compiled like a user's code.
 #ifndef GAUNT_BENCH_BASIS_BASELINE_H_
 #define GAUNT_BENCH_BASIS_BASELINE_H_
 

@@ -157,8 +157,7 @@ void ExtractLight(const float f[kPlanes], float light[9]) {
   constexpr float kBand1 = 4.0f / 9.0f, kBand2 = 1.0f / 16.0f;
   // |light|^2 over E/pi without and with its mean.
   constexpr float kMean = kNorm * kY0;
-  constexpr float kEnergy =
-      kNorm * kNorm * (3.0f * kBand1 + 5.0f * kBand2) / (4.0f * kPi);
+  constexpr float kEnergy = kNorm * kNorm * (3.0f * kBand1 + 5.0f * kBand2) / (4.0f * kPi);
   constexpr float kFullEnergy = kEnergy + kMean * kMean;
   constexpr float kPerEnergy = 1.0f / kEnergy, kPerFullEnergy = 1.0f / kFullEnergy;
   constexpr float kPerAmbient = 1.0f / kAmbient;
@@ -167,8 +166,7 @@ void ExtractLight(const float f[kPlanes], float light[9]) {
   for (int c = 0; c < 3; ++c) {
     const float* g = f + 9 * c;
     const float band1 = kY1 * (d[2] * g[2] - d[1] * g[1] - d[0] * g[3]);
-    const float band2 =
-        y2[0] * g[4] + y2[1] * g[5] + y2[2] * g[6] + y2[3] * g[7] + y2[4] * g[8];
+    const float band2 = y2[0] * g[4] + y2[1] * g[5] + y2[2] * g[6] + y2[3] * g[7] + y2[4] * g[8];
     const float dot = kNorm * (kBand1 * band1 + kBand2 * band2);
     float colour = dot * kPerEnergy;
     float ambient = (g[0] - colour * kMean) * kPerAmbient;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The frame job against its scalar loops on synthetic probes: frame/<case>/<target or baseline>. Items
-// are objects.
+// The frame job against its scalar loops on synthetic probes: frame/<case>/<target or baseline>.
+// Items are objects.
 #include <cmath>
 
 #include "bench/frame_baseline.h"
@@ -42,7 +42,7 @@ struct FrameData {
       }
       rotates[i] = random() % 10 < 3 ? 1 : 0;
       if (!rotates[i]) continue;
-      float* q = quaternions.data() + 4 * i, length = 0.0f;
+      float *q = quaternions.data() + 4 * i, length = 0.0f;
       for (int k = 0; k < 4; ++k) {
         q[k] = static_cast<float>(random() % 2001) * 1e-3f - 1.0f;
         length += q[k] * q[k];
@@ -53,8 +53,8 @@ struct FrameData {
       frame.resize(objects * 8);
       const uint32_t base = random();
       for (size_t i = 0; i < objects; ++i) {
-        const uint32_t corner = static_cast<uint32_t>(
-            (base + i * 3 + random() % 16) % (probes > 146 ? probes - 146 : 1));
+        const uint32_t corner = static_cast<uint32_t>((base + i * 3 + random() % 16) %
+                                                      (probes > 146 ? probes - 146 : 1));
         for (uint32_t t = 0; t < 8; ++t) {
           frame[8 * i + t] = corner + (t & 1) + 16 * (t >> 1 & 1) + 128 * (t >> 2);
         }
@@ -102,15 +102,13 @@ GAUNT_BENCHMARKS(frame) {
     const std::string name =
         "frame/" + std::to_string(objects) + "_objects_" + std::to_string(probes) + "_probes/";
     const auto add_baseline = [&](const char* baseline, void (*run)(const FrameBaselineJob&)) {
-      benchmark::RegisterBenchmark((name + baseline).c_str(), [=](benchmark::State& state) {
-        RunBaseline(state, data, run);
-      });
+      benchmark::RegisterBenchmark((name + baseline).c_str(),
+                                   [=](benchmark::State& state) { RunBaseline(state, data, run); });
     };
     for (uint32_t t = 0; gaunt_target_supported(t) != nullptr; ++t) {
       const std::string target = gaunt_target_supported(t);
-      benchmark::RegisterBenchmark((name + target).c_str(), [=](benchmark::State& state) {
-        RunJob(state, data, target);
-      });
+      benchmark::RegisterBenchmark((name + target).c_str(),
+                                   [=](benchmark::State& state) { RunJob(state, data, target); });
     }
     add_baseline("A", baseline::FrameA);
     add_baseline("A2", baseline::FrameA2);

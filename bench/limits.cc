@@ -167,7 +167,8 @@ const MemoryLimits& MeasureMemory(size_t working_set) {
     const auto per_byte = [&](auto run) {
       return Best([&] {
                for (size_t k = 0; k < times; ++k) run();
-             }) / static_cast<double>(bytes * times);
+             }) /
+             static_cast<double>(bytes * times);
     };
     entry->second = {per_byte([&] { Kernels().load(data.data(), floats, out); }),
                      per_byte([&] { Kernels().store(data.data(), floats); })};

@@ -9,7 +9,8 @@
 
 namespace gaunt::bench {
 
-// Nanoseconds per lane, with the chosen target's vectors and enough independent work to fill the pipes.
+// Nanoseconds per lane, with the chosen target's vectors and enough independent work to fill the
+// pipes.
 struct ArithmeticLimits {
   double fma;  // multiplications and fused multiply-adds
   double add;

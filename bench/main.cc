@@ -4,8 +4,8 @@
 #include "families.h"  // generated: GAUNT_FOR_EACH_FAMILY
 #include "gaunt/gaunt.h"
 
-#define GAUNT_DECLARE(family)   \
-  namespace gaunt::bench {      \
+#define GAUNT_DECLARE(family)         \
+  namespace gaunt::bench {            \
   void RegisterBenchmarks_##family(); \
   }
 GAUNT_FOR_EACH_FAMILY(GAUNT_DECLARE)

@@ -10,10 +10,12 @@ GAUNT_BENCHMARKS(project) {
   for (const uint32_t n : {3u, 6u}) {
     for (uint32_t t = 0; gaunt_target_supported(t) != nullptr; ++t) {
       const std::string target = gaunt_target_supported(t);
-      const std::string name = "project/equirect/n" + std::to_string(n) + "/rgb32f/1024x512/" + target;
+      const std::string name =
+          "project/equirect/n" + std::to_string(n) + "/rgb32f/1024x512/" + target;
       benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
         gaunt_target_select(target.c_str());
-        const gaunt_image image = {texels->data(), kWidth, kHeight, 12, 12 * kWidth, GAUNT_TEXEL_F32};
+        const gaunt_image image = {texels->data(), kWidth,         kHeight, 12,
+                                   12 * kWidth,    GAUNT_TEXEL_F32};
         std::vector<float> out(3 * n * n);
         gaunt_view view;
         gaunt_view_interleaved(out.data(), 3 * n * n, &view);

@@ -35,12 +35,8 @@ class Planes {
       case Layout::kPlanar:
         gaunt_view_planar(data, static_cast<ptrdiff_t>(count * sizeof(float)), &view_);
         break;
-      case Layout::kInterleaved:
-        gaunt_view_interleaved(data, planes, &view_);
-        break;
-      case Layout::kTiled:
-        gaunt_view_tiled(data, planes, &view_);
-        break;
+      case Layout::kInterleaved: gaunt_view_interleaved(data, planes, &view_); break;
+      case Layout::kTiled: gaunt_view_tiled(data, planes, &view_); break;
     }
   }
 
@@ -145,8 +141,8 @@ void RegisterBatch(const BatchBenchmark& batch) {
     for (const Layout layout : {Layout::kTiled, Layout::kPlanar, Layout::kInterleaved}) {
       for (const size_t count : {kSmall, kPowerOfTwo, kLarge}) {
         if (count == kLarge && !batch.large) continue;
-        const std::string name = batch.name + "/" + Name(layout) + "/" + std::to_string(count) +
-                                 "/" + target;
+        const std::string name =
+            batch.name + "/" + Name(layout) + "/" + std::to_string(count) + "/" + target;
         benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
           RunBatch(state, batch, layout, count, target);
         });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Benchmarks of batched functions: every target and layout, with operations and limits beside times.
-// Names read family/op/n<order>/<layout>/<items>/<target>.
+// Benchmarks of batched functions: every target and layout, with operations and limits beside
+// times. Names read family/op/n<order>/<layout>/<items>/<target>.
 #ifndef GAUNT_BENCH_SUPPORT_H_
 #define GAUNT_BENCH_SUPPORT_H_
 
@@ -36,7 +36,8 @@ struct BatchBenchmark {
 
 void RegisterBatch(const BatchBenchmark& batch);
 
-// A scalar loop over interleaved items, for comparison: family/op/n<order>/interleaved/<items>/<name>.
+// A scalar loop over interleaved items, for comparison:
+// family/op/n<order>/interleaved/<items>/<name>.
 struct ScalarBenchmark {
   std::string name;      // family/op/n<order>
   std::string baseline;  // "scalar"

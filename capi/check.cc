@@ -17,8 +17,8 @@ bool SpanOf(size_t n, ptrdiff_t stride, ptrdiff_t* span) {
   *span = 0;
   if (n <= 1 || stride == 0) return true;
   constexpr size_t kHalfWord = size_t{1} << (4 * sizeof(size_t));
-  const size_t magnitude = stride < 0 ? size_t{0} - static_cast<size_t>(stride)
-                                      : static_cast<size_t>(stride);
+  const size_t magnitude =
+      stride < 0 ? size_t{0} - static_cast<size_t>(stride) : static_cast<size_t>(stride);
   if ((n >= kHalfWord || magnitude >= kHalfWord) &&
       n - 1 > static_cast<size_t>(kMaxSpan) / magnitude) {
     return false;
@@ -59,8 +59,7 @@ MemoryCheck& MemoryCheck::OutInPlace(const gaunt_view* view, size_t planes) {
   AddView(view, planes, Kind::kOutInPlace);
   return *this;
 }
-MemoryCheck& MemoryCheck::InRecords(const void* data, size_t records, size_t bytes,
-                                    size_t stride) {
+MemoryCheck& MemoryCheck::InRecords(const void* data, size_t records, size_t bytes, size_t stride) {
   AddRecords(data, records, bytes, stride, Kind::kIn);
   return *this;
 }
@@ -96,7 +95,8 @@ void MemoryCheck::AddView(const gaunt_view* view, size_t planes, Kind kind) {
     return Fail(GAUNT_ERROR_RANGE);
   }
   const auto extend = [](Range range, ptrdiff_t span) {
-    return Range{range.from + std::min<ptrdiff_t>(span, 0), range.to + std::max<ptrdiff_t>(span, 0)};
+    return Range{range.from + std::min<ptrdiff_t>(span, 0),
+                 range.to + std::max<ptrdiff_t>(span, 0)};
   };
   m.planes = extend({0, kFloat}, rows);
   m.tile = extend(m.planes, items);
@@ -172,8 +172,10 @@ bool MemoryCheck::Apart(const Memory& a, const Memory& b) {
   const auto together = [&](const Range& x, const Range& y) {
     return std::max(x.to, shift + y.to) - std::min(x.from, shift + y.from);
   };
-  if (a.origin + static_cast<uintptr_t>(a.all.to) <= b.origin + static_cast<uintptr_t>(b.all.from) ||
-      b.origin + static_cast<uintptr_t>(b.all.to) <= a.origin + static_cast<uintptr_t>(a.all.from)) {
+  if (a.origin + static_cast<uintptr_t>(a.all.to) <=
+          b.origin + static_cast<uintptr_t>(b.all.from) ||
+      b.origin + static_cast<uintptr_t>(b.all.to) <=
+          a.origin + static_cast<uintptr_t>(a.all.from)) {
     return true;
   }
   // Ranges meet, so the origins are near and `shift` cannot have overflowed. Fields of one record?
@@ -182,10 +184,10 @@ bool MemoryCheck::Apart(const Memory& a, const Memory& b) {
     return false;
   }
   const ptrdiff_t item = Magnitude(a.item_stride), tile = Magnitude(a.tile_stride);
-  const bool inside_item =
-      disjoint(a.planes, b.planes) && together(a.planes, b.planes) <= item &&
-      (a.tiles == 1 || tile >= static_cast<ptrdiff_t>(a.items_in_tile) * item);
-  const bool inside_tile = a.tiles > 1 && disjoint(a.tile, b.tile) && together(a.tile, b.tile) <= tile;
+  const bool inside_item = disjoint(a.planes, b.planes) && together(a.planes, b.planes) <= item &&
+                           (a.tiles == 1 || tile >= static_cast<ptrdiff_t>(a.items_in_tile) * item);
+  const bool inside_tile =
+      a.tiles > 1 && disjoint(a.tile, b.tile) && together(a.tile, b.tile) <= tile;
   return inside_item || inside_tile;
 }
 
@@ -202,8 +204,8 @@ View Normalised(const gaunt_view& view, size_t count, Byte* data) {
 }  // namespace
 
 simd::InView InputOf(const gaunt_view& view, size_t count) {
-  simd::InView result = Normalised<simd::InView>(
-      view, count, reinterpret_cast<const unsigned char*>(view.data));
+  simd::InView result =
+      Normalised<simd::InView>(view, count, reinterpret_cast<const unsigned char*>(view.data));
   if (count == 1) result.item_stride = 0;  // a broadcast of the one item
   return result;
 }

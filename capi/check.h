@@ -16,9 +16,9 @@
   } while (false)
 
 // Leaves the function with the expression's status unless it is GAUNT_OK.
-#define GAUNT_CHECK(expression)                                   \
-  do {                                                            \
-    const gaunt_status gaunt_check_status = (expression);         \
+#define GAUNT_CHECK(expression)                                    \
+  do {                                                             \
+    const gaunt_status gaunt_check_status = (expression);          \
     if (gaunt_check_status != GAUNT_OK) return gaunt_check_status; \
   } while (false)
 

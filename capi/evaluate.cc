@@ -63,7 +63,8 @@ gaunt_status gaunt_sh_blend(uint32_t n, uint32_t channels, size_t count, const g
   GAUNT_REQUIRE(InRange(n, 1, kMaxBlendOrder), GAUNT_ERROR_ORDER);
   GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
   const size_t planes = channels * n * n;
-  GAUNT_CHECK(MemoryCheck(count).In(a, planes).In(b, planes).In(t, 1).OutInPlace(out, planes).status());
+  GAUNT_CHECK(
+      MemoryCheck(count).In(a, planes).In(b, planes).In(t, 1).OutInPlace(out, planes).status());
   if (count == 0) return GAUNT_OK;
   gaunt::evaluate::Kernels().blend(planes, count, InputOf(*a, count), InputOf(*b, count),
                                    InputOf(*t, count), OutputOf(*out, count));

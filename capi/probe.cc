@@ -72,9 +72,9 @@ gaunt_status gaunt_probe_gather(uint32_t format, uint32_t n_out, size_t count, u
                   .Out(out, Sh3::kChannels * n_out * n_out)
                   .status());
   if (count == 0) return GAUNT_OK;
-  gaunt::probe::Kernels().gather[n_out](
-      count, {taps, indices, weights}, {static_cast<const uint8_t*>(packed), packed_count, stride},
-      OutputOf(*out, count));
+  gaunt::probe::Kernels().gather[n_out](count, {taps, indices, weights},
+                                        {static_cast<const uint8_t*>(packed), packed_count, stride},
+                                        OutputOf(*out, count));
   return GAUNT_OK;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One frame through the C++ face: probes are packed, blended for two objects, and turned into constants.
-#include <gaunt/gaunt.hpp>
-
+// One frame through the C++ face: probes are packed, blended for two objects, and turned into
+// constants.
 #include <cstdio>
+#include <gaunt/gaunt.hpp>
 #include <vector>
 
 int main() {

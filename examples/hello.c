@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 int main(void) {
-  float sky[27] = {0}, constants[28];      /* RGB radiance of order 3; 7 float4 for a shader */
+  float sky[27] = {0}, constants[28]; /* RGB radiance of order 3; 7 float4 for a shader */
   float up_light[3] = {0.0f, 0.0f, 1.0f}, y[9];
   gaunt_view direction, basis, radiance, out;
   gaunt_view_interleaved(up_light, 3, &direction);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "basis/basis_reference.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "basis/basis_reference.h"
 #include "gaunt/gaunt.h"
 #include "tests/support/golden.h"
 #include "tests/support/operation.h"

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* The header is C99 and stands alone; sizes, offsets and values stay what they are. */
-#include "gaunt/gaunt.h"
-
 #include <stdio.h>
 
+#include "gaunt/gaunt.h"
+
 static int failures = 0;
-#define EXPECT_SAME(value, wanted)                                                      \
-  do {                                                                                  \
-    const long long got = (long long)(value), want = (long long)(wanted);               \
-    if (got != want) {                                                                  \
-      printf("%s is %lld, expected %lld\n", #value, got, want);                         \
-      ++failures;                                                                       \
-    }                                                                                   \
+#define EXPECT_SAME(value, wanted)                                        \
+  do {                                                                    \
+    const long long got = (long long)(value), want = (long long)(wanted); \
+    if (got != want) {                                                    \
+      printf("%s is %lld, expected %lld\n", #value, got, want);           \
+      ++failures;                                                         \
+    }                                                                     \
   } while (0)
 
 int main(void) {

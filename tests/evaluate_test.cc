@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "evaluate/evaluate_reference.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "evaluate/constants.h"
+#include "evaluate/evaluate_reference.h"
 #include "gaunt/gaunt.h"
 #include "tests/support/golden.h"
 #include "tests/support/operation.h"
@@ -65,7 +64,9 @@ Operation ConstantsOperation() {
   operation.call = [](size_t count, const Operation::Views& in, const Operation::Views& out) {
     return gaunt_irradiance_constants(3, count, in[0], out[0]);
   };
-  operation.make = [](Random& random, size_t, float* planes) { random.Fill(planes, 27, -1.0, 1.0); };
+  operation.make = [](Random& random, size_t, float* planes) {
+    random.Fill(planes, 27, -1.0, 1.0);
+  };
   operation.reference = [](const Operation::Item& in, Operation::Item& out) {
     evaluate::IrradianceConstantsReference(in[0].data(), out[0].data());
   };

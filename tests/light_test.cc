@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "light/light_reference.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "gaunt/gaunt.h"
 #include "light/constants.h"
+#include "light/light_reference.h"
 #include "tests/support/golden.h"
 #include "tests/support/operation.h"
 #include "tests/support/targets.h"
@@ -56,8 +55,8 @@ Operation DirectionOperation(uint32_t n, uint32_t channels, std::vector<float> w
 
 Operation ExtractOperation(uint32_t n, uint32_t channels, uint32_t sense) {
   Operation operation;
-  operation.name = "light_extract/n" + std::to_string(n) + "/channels" +
-                   std::to_string(channels) + (sense == GAUNT_SENSE_RADIANCE ? "/L" : "/E");
+  operation.name = "light_extract/n" + std::to_string(n) + "/channels" + std::to_string(channels) +
+                   (sense == GAUNT_SENSE_RADIANCE ? "/L" : "/E");
   operation.inputs = {channels * n * n, 3};
   operation.outputs = {channels, channels};
   operation.call = [=](size_t count, const Operation::Views& in, const Operation::Views& out) {
@@ -129,8 +128,8 @@ void DirectionOf(const float f[4], float d[3]) {
 
 // The naive normalisation under- and overflows in these (squares of 1e-23 and of 1e20).
 TEST_P(Light, DirectionHoldsForTinyAndHugeLight) {
-  for (const float scale : {1e-37f, 1e-30f, 1e-23f, 1e-20f, 1e-10f, 1.0f, 1e10f, 1e18f, 1e20f,
-                            1e30f, 1e37f}) {
+  for (const float scale :
+       {1e-37f, 1e-30f, 1e-23f, 1e-20f, 1e-10f, 1.0f, 1e10f, 1e18f, 1e20f, 1e30f, 1e37f}) {
     const float f[4] = {1.5f * scale, -0.6f * scale, 0.48f * scale, -0.64f * scale};
     float d[3];
     DirectionOf(f, d);
@@ -143,10 +142,10 @@ TEST_P(Light, DirectionHoldsForTinyAndHugeLight) {
 TEST_P(Light, DirectionIsUpWhereThereIsNone) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
-  const float cases[][4] = {{0, 0, 0, 0},     {1, 0, 0, 0},       {1, 5e-6f, 0, 0},
-                            {-1, 0, 0, 5e-6f}, {1, nan, 0, 0},     {1, 0, nan, 0},
-                            {1, 0, 0, nan},   {nan, 0, 1, 0},     {1, inf, 0, 0},
-                            {1, 0, -inf, inf}, {inf, 1, 0, 0},    {1e-30f, 1e-36f, 0, 0}};
+  const float cases[][4] = {{0, 0, 0, 0},      {1, 0, 0, 0},   {1, 5e-6f, 0, 0},
+                            {-1, 0, 0, 5e-6f}, {1, nan, 0, 0}, {1, 0, nan, 0},
+                            {1, 0, 0, nan},    {nan, 0, 1, 0}, {1, inf, 0, 0},
+                            {1, 0, -inf, inf}, {inf, 1, 0, 0}, {1e-30f, 1e-36f, 0, 0}};
   for (const auto& f : cases) {
     float d[3];
     DirectionOf(f, d);

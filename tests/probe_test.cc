@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "probe/probe_reference.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <memory>
 
 #include "gaunt/gaunt.h"
+#include "probe/probe_reference.h"
 #include "tests/support/buffer.h"
 #include "tests/support/operation.h"
 #include "tests/support/targets.h"
@@ -225,10 +224,10 @@ TEST_P(Probe, GathersEveryNumberOfTapsAndLayout) {
             SCOPED_TRACE(Name(layout) + " taps " + std::to_string(taps) + " count " +
                          std::to_string(count));
             Buffer out(layout, count, 3 * n_out * n_out);
-            ASSERT_EQ(gaunt_probe_gather(GAUNT_FORMAT_SH3_28, n_out, count, taps, indices.data(),
-                                         weights.data(), packed.data(), kProbes, stride,
-                                         out.view()),
-                      GAUNT_OK);
+            ASSERT_EQ(
+                gaunt_probe_gather(GAUNT_FORMAT_SH3_28, n_out, count, taps, indices.data(),
+                                   weights.data(), packed.data(), kProbes, stride, out.view()),
+                GAUNT_OK);
             ASSERT_TRUE(out.CanariesIntact());
             for (size_t i = 0; i < count; ++i) {
               double wanted[27], tolerance = 0.0;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "project/project_reference.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "gaunt/gaunt.h"
+#include "project/project_reference.h"
 #include "tests/support/buffer.h"
 #include "tests/support/random.h"
 #include "tests/support/targets.h"
@@ -32,8 +31,8 @@ struct TestImage {
         }
       }
     }
-    image = {texels.data(),           width, height, pixel_floats * ptrdiff_t{4},
-             row_floats * ptrdiff_t{4}, GAUNT_TEXEL_F32};
+    image = {texels.data(),  width, height, pixel_floats * ptrdiff_t{4}, row_floats * ptrdiff_t{4},
+             GAUNT_TEXEL_F32};
   }
   float* At(uint32_t x, uint32_t y) {
     return texels.data() + static_cast<ptrdiff_t>(y) * row_floats +
@@ -53,7 +52,8 @@ struct TestImage {
 class Project : public TargetTest {};
 
 TEST_P(Project, MatchesTheDefinition) {
-  const uint32_t sizes[][2] = {{1, 1}, {2, 1}, {1, 5}, {7, 3}, {16, 8}, {127, 5}, {129, 4}, {300, 40}};
+  const uint32_t sizes[][2] = {{1, 1},  {2, 1},   {1, 5},   {7, 3},
+                               {16, 8}, {127, 5}, {129, 4}, {300, 40}};
   for (const auto& size : sizes) {
     for (const int channels : {1, 3, 4}) {
       for (const int padding : {0, 1, 2}) {

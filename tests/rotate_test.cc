@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "rotate/rotate_reference.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <map>
 
 #include "gaunt/gaunt.h"
+#include "rotate/rotate_reference.h"
 #include "tests/support/golden.h"
 #include "tests/support/operation.h"
 #include "tests/support/targets.h"

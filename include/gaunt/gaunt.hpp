@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A C++ face of gaunt.h, in one header: views of standard containers, and exceptions instead of statuses.
-// It adds no ABI; every function is one call of the C API, which documents it.
+// A C++ face of gaunt.h, in one header: views of standard containers, and exceptions instead of
+// statuses. It adds no ABI; every function is one call of the C API, which documents it.
 #ifndef GAUNT_GAUNT_HPP_
 #define GAUNT_GAUNT_HPP_
 
@@ -31,8 +31,8 @@ inline void Check(const char* function, gaunt_status status) {
 }
 }  // namespace detail
 
-// A gaunt_view whose elements are inputs (const float) or outputs (float). An output can be used as an
-// input, not the other way round.
+// A gaunt_view whose elements are inputs (const float) or outputs (float). An output can be used as
+// an input, not the other way round.
 class InView {
  public:
   InView(const gaunt_view& view) : view_(view) {}  // NOLINT(google-explicit-constructor)
@@ -58,13 +58,13 @@ gaunt_view Make(const float* data, const Fill& fill) {
 }  // namespace detail
 
 // Where planes of a batch lie: an InView of const floats, an OutView of floats.
-#define GAUNT_VIEW_MAKER(name, parameter, argument)                                         \
-  inline InView name(const float* data parameter) {                                         \
+#define GAUNT_VIEW_MAKER(name, parameter, argument)                                            \
+  inline InView name(const float* data parameter) {                                            \
     return detail::Make(data, [&](float* d, gaunt_view* v) { return gaunt_view_##argument; }); \
-  }                                                                                         \
-  inline OutView name(float* data parameter) {                                              \
-    return OutView(                                                                         \
-        detail::Make(data, [&](float* d, gaunt_view* v) { return gaunt_view_##argument; })); \
+  }                                                                                            \
+  inline OutView name(float* data parameter) {                                                 \
+    return OutView(                                                                            \
+        detail::Make(data, [&](float* d, gaunt_view* v) { return gaunt_view_##argument; }));   \
   }
 #define GAUNT_COMMA ,
 GAUNT_VIEW_MAKER(Planar, GAUNT_COMMA ptrdiff_t plane_stride, planar(d, plane_stride, v))
@@ -86,9 +86,9 @@ inline void ShEvaluate(uint32_t n, uint32_t channels, size_t count, const InView
 
 inline void IrradianceEvaluate(uint32_t n, uint32_t channels, size_t count, const InView& radiance,
                                const InView& normals, const OutView& out) {
-  detail::Check("gaunt_irradiance_evaluate",
-                gaunt_irradiance_evaluate(n, channels, count, radiance.get(), normals.get(),
-                                          out.get()));
+  detail::Check(
+      "gaunt_irradiance_evaluate",
+      gaunt_irradiance_evaluate(n, channels, count, radiance.get(), normals.get(), out.get()));
 }
 
 inline void IrradianceConstants(uint32_t n, size_t count, const InView& radiance,
@@ -155,8 +155,7 @@ inline void ProbeEncode(uint32_t format, size_t count, const InView& in, void* p
 
 inline void ProbeDecode(uint32_t format, size_t count, const void* packed, size_t stride,
                         const OutView& out) {
-  detail::Check("gaunt_probe_decode",
-                gaunt_probe_decode(format, count, packed, stride, out.get()));
+  detail::Check("gaunt_probe_decode", gaunt_probe_decode(format, count, packed, stride, out.get()));
 }
 
 inline void ProbeGather(uint32_t format, uint32_t n_out, size_t count, uint32_t taps,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Kernels of the SH basis: normalised recurrences over bands for each |m|, unrolled at compile time.
+// Kernels of the SH basis: normalised recurrences over bands for each |m|, unrolled at compile
+// time.
 #if defined(GAUNT_BASIS_BASIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GAUNT_BASIS_BASIS_INL_H_
 #undef GAUNT_BASIS_BASIS_INL_H_
@@ -18,8 +19,9 @@ using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
 // y_lm of one direction for all l < n:
 //   y_l^m = q_l^m(z) c_m(x, y),   y_l^-m = q_l^m(z) s_m(x, y),
-// where c_m + i s_m = (-1)^m sqrt2 (x + i y)^m and q_l^m is the associated Legendre function without
-// its sin^m, times the norm. q is kept scaled so that the first row of each column is one constant.
+// where c_m + i s_m = (-1)^m sqrt2 (x + i y)^m and q_l^m is the associated Legendre function
+// without its sin^m, times the norm. q is kept scaled so that the first row of each column is one
+// constant.
 template <int n>
 struct Eval {
   template <class K, class In, class Out>

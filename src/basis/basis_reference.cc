@@ -5,8 +5,9 @@
 
 namespace gaunt::basis {
 
-// y_l^m = N_l^m P_l^|m|(cos theta) (sqrt2 cos m phi, 1, sqrt2 sin |m| phi), P with the Condon-Shortley
-// phase. N P is carried as one, in angles: it stays of order 1 and overflows at no order.
+// y_l^m = N_l^m P_l^|m|(cos theta) (sqrt2 cos m phi, 1, sqrt2 sin |m| phi), P with the
+// Condon-Shortley phase. N P is carried as one, in angles: it stays of order 1 and overflows at no
+// order.
 void EvalReference(int order, const double direction[3], double* y) {
   const double x = direction[0], y_axis = direction[1], z = direction[2];
   const double theta = std::atan2(std::hypot(x, y_axis), z);
@@ -23,9 +24,9 @@ void EvalReference(int order, const double direction[3], double* y) {
         const double ll = l, mm = m;
         const double next =
             std::sqrt((4.0 * ll * ll - 1.0) / (ll * ll - mm * mm)) *
-            (std::cos(theta) * value -
-             std::sqrt(((ll - 1.0) * (ll - 1.0) - mm * mm) / (4.0 * (ll - 1.0) * (ll - 1.0) - 1.0)) *
-                 below);
+            (std::cos(theta) * value - std::sqrt(((ll - 1.0) * (ll - 1.0) - mm * mm) /
+                                                 (4.0 * (ll - 1.0) * (ll - 1.0) - 1.0)) *
+                                           below);
         below = value;
         value = next;
       }

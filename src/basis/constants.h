@@ -55,8 +55,8 @@ inline constexpr double kFirst = Sectoral(m) * StepForward(m + 1, m);
 template <int m>
 inline constexpr double kSecondSquare = Sectoral(m) * StepForward(m + 1, m) * StepForward(m + 2, m);
 template <int m>
-inline constexpr double kSecondConstant =
-    -Sectoral(m) * StepForward(m + 2, m) * StepBackward(m + 2, m);
+inline constexpr double kSecondConstant = -Sectoral(m) * StepForward(m + 2, m) *
+                                          StepBackward(m + 2, m);
 
 }  // namespace basis
 }  // namespace gaunt

@@ -34,8 +34,7 @@ void BlendBatch(size_t planes, size_t count, const simd::InView& a, const simd::
   for (size_t p = 0; p < planes; p += kChunk) {
     const size_t chunk = std::min(kChunk, planes - p);
     ForEachBatch(count, Blend{chunk}, In<kChunk>(a.FromPlane(p), chunk),
-                 In<kChunk>(b.FromPlane(p), chunk), In<1>(t),
-                 Out<kChunk>(out.FromPlane(p), chunk));
+                 In<kChunk>(b.FromPlane(p), chunk), In<1>(t), Out<kChunk>(out.FromPlane(p), chunk));
   }
 }
 

@@ -15,12 +15,12 @@ void Append(OperationRows& rows) {
   const CountPlanes planes;
   for (const size_t channels : {1, 3}) {
     const std::string variant = channels == 1 ? "mono" : "rgb";
-    rows.push_back({"sh_evaluate", std::to_string(n), variant,
-                    CountKernel(kernels::Evaluate<n, RadianceBands>{channels}, planes, planes,
-                                planes)});
-    rows.push_back({"irradiance_evaluate", std::to_string(n), variant,
-                    CountKernel(kernels::Evaluate<n, IrradianceBands>{channels}, planes, planes,
-                                planes)});
+    rows.push_back(
+        {"sh_evaluate", std::to_string(n), variant,
+         CountKernel(kernels::Evaluate<n, RadianceBands>{channels}, planes, planes, planes)});
+    rows.push_back(
+        {"irradiance_evaluate", std::to_string(n), variant,
+         CountKernel(kernels::Evaluate<n, IrradianceBands>{channels}, planes, planes, planes)});
     rows.push_back({"sh_blend", std::to_string(n), variant,
                     CountKernel(kernels::Blend{channels * NumCoefficients(n)}, planes, planes,
                                 planes, planes)});

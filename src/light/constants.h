@@ -19,8 +19,7 @@ constexpr double LegendreAtZero(int k) {
 // The directional light c_n y(d) reflects E/pi = 1 at its own direction when truncated to order n.
 constexpr double DirectionalNorm(int n) {
   if (n == 1) return 4.0 * kPi;
-  return kPi /
-         (1.0 - (LegendreAtZero(n - 1) / (n + 1.0) + LegendreAtZero(n - 2) / n) / 2.0);
+  return kPi / (1.0 - (LegendreAtZero(n - 1) / (n + 1.0) + LegendreAtZero(n - 2) / n) / 2.0);
 }
 
 inline constexpr double kY0 = 0.5 / ConstexprSqrt(kPi);       // y_00

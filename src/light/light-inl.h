@@ -72,8 +72,8 @@ struct Extract {
       const V mean = f(0);
       const V fitted = AtLeastZero(k, BandSum<1>(k, f, y));
       const V left = NegMulAdd(k(Constants::kMean), fitted, mean);
-      const V alone = AtLeastZero(
-          k, MulAdd(k(Constants::kAlone), fitted, Mul(k(Constants::kAloneMean), mean)));
+      const V alone =
+          AtLeastZero(k, MulAdd(k(Constants::kAlone), fitted, Mul(k(Constants::kAloneMean), mean)));
       colours(c, IfThenElse(Lt(left, k(0.0)), alone, fitted));
       ambient(c, AtLeastZero(k, Mul(k(1.0 / kAmbient), left)));
     }
@@ -91,8 +91,7 @@ struct Extract {
   static GAUNT_LANES typename K::V BandSum(const K& k, const In& f, const Slots& y) {
     constexpr double kBand = Constants::Band(l);
     constexpr int kFirst = CoefficientIndex(l, -l);
-    const auto dot =
-        Dot<kFirst + 1, CoefficientIndex(l, l)>(f, y, Mul(y(kFirst), f(kFirst)));
+    const auto dot = Dot<kFirst + 1, CoefficientIndex(l, l)>(f, y, Mul(y(kFirst), f(kFirst)));
     if constexpr (l + 1 == n) {
       return Mul(k(kBand), dot);
     } else if constexpr (Constants::Band(l + 1) == 0.0 && l + 2 == n) {

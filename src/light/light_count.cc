@@ -17,9 +17,9 @@ void Append(OperationRows& rows) {
   const CountPlanes planes;
   for (const size_t channels : {1, 3}) {
     const std::string variant = channels == 1 ? "mono" : "rgb";
-    rows.push_back({"light_direction", std::to_string(n), variant,
-                    CountKernel(kernels::Direction{NumCoefficients(n), channels, kWeights}, planes,
-                                planes)});
+    rows.push_back(
+        {"light_direction", std::to_string(n), variant,
+         CountKernel(kernels::Direction{NumCoefficients(n), channels, kWeights}, planes, planes)});
     rows.push_back({"light_extract", std::to_string(n), variant + "_irradiance",
                     CountKernel(kernels::Extract<n, evaluate::IrradianceBands>{channels}, planes,
                                 planes, planes, planes)});

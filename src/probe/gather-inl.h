@@ -19,8 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::probe::HWY_NAMESPACE {
 
-inline constexpr size_t kGroup = 8;        // objects
-inline constexpr size_t kTapChunk = 8;     // taps held at a time
+inline constexpr size_t kGroup = 8;          // objects
+inline constexpr size_t kTapChunk = 8;       // taps held at a time
 inline constexpr size_t kTile = 4 * kGroup;  // objects
 inline constexpr size_t kRow = Sh3::kChannels * Sh3::kRatios;
 
@@ -87,7 +87,8 @@ HWY_NOINLINE void SumGroup(const GroupTaps& group, size_t taps, bool first, floa
 }
 
 // Phase one for a group: weighted means of each tap, and their sum.
-inline HWY_NOINLINE void SumMeans(GroupTaps& group, size_t taps, bool first, float* const means[3]) {
+inline HWY_NOINLINE void SumMeans(GroupTaps& group, size_t taps, bool first,
+                                  float* const means[3]) {
   const RecordLanes k;
   using V = RecordLanes::V;
   for (size_t o = 0; o < kGroup; o += hn::Lanes(RecordLanes::D())) {
@@ -114,13 +115,12 @@ inline HWY_NOINLINE void SumMeans(GroupTaps& group, size_t taps, bool first, flo
 }
 
 template <class Source>
-HWY_NOINLINE void FetchTaps(const Source& source, size_t first_item, size_t items,
-                            size_t first_tap, size_t taps, GroupTaps& group) {
+HWY_NOINLINE void FetchTaps(const Source& source, size_t first_item, size_t items, size_t first_tap,
+                            size_t taps, GroupTaps& group) {
   for (size_t o = 0; o < kGroup; ++o) {
     for (size_t t = 0; t < taps; ++t) {
       float weight = 0.0f;
-      const uint8_t* record =
-          o < items ? source(first_item + o, first_tap + t, weight) : kNoRecord;
+      const uint8_t* record = o < items ? source(first_item + o, first_tap + t, weight) : kNoRecord;
       group.records[t][o] = record;
       group.weights[t][o] = weight;
       std::memcpy(&group.words[t][o], record, sizeof(uint32_t));
@@ -164,14 +164,65 @@ HWY_NOINLINE bool FetchEightTaps(const TapRecord& source, size_t first_item, Gro
 }
 GAUNT_LANES bool FetchEightTaps(const EachRecord&, size_t, GroupTaps&) { return false; }
 
+// What FinishGather<3> does, of a group whose output is in place: straight from the rows.
+inline HWY_NOINLINE void WriteGroup(const float* rows, const float* const means[3],
+                                    unsigned char* out, ptrdiff_t plane_stride) {
+  using D = RecordLanes::D;
+  const D d;
+  constexpr ptrdiff_t kRowBytes = kRow * sizeof(float);
+  for (size_t o = 0; o < kGroup; o += hn::MaxLanes(D())) {
+    const auto plane = [=](size_t p) HWY_ATTR {
+      return reinterpret_cast<float*>(out + static_cast<ptrdiff_t>(p) * plane_stride) + o;
+    };
+    for (size_t c = 0; c < Sh3::kChannels; ++c) {
+      hn::StoreU(hn::Load(d, means[c] + o), d, plane(9 * c));
+      for (size_t i = 0; i < Sh3::kRatios; i += 4) {
+        const auto* row =
+            reinterpret_cast<const unsigned char*>(rows + o * kRow + c * Sh3::kRatios + i);
+        const float* factors = kSh3Factors.decode + i;
+        auto a = LoadBlocks<4>(d, row, kRowBytes);
+        auto b = LoadBlocks<4>(d, row + kRowBytes, kRowBytes);
+        auto e = LoadBlocks<4>(d, row + 2 * kRowBytes, kRowBytes);
+        auto f = LoadBlocks<4>(d, row + 3 * kRowBytes, kRowBytes);
+        Transpose4(d, a, b, e, f);
+        hn::StoreU(Mul(hn::Set(d, factors[0]), a), d, plane(9 * c + i + 1));
+        hn::StoreU(Mul(hn::Set(d, factors[1]), b), d, plane(9 * c + i + 2));
+        hn::StoreU(Mul(hn::Set(d, factors[2]), e), d, plane(9 * c + i + 3));
+        hn::StoreU(Mul(hn::Set(d, factors[3]), f), d, plane(9 * c + i + 4));
+      }
+    }
+  }
+}
+
 #else
 
 template <class Source>
 bool FetchEightTaps(const Source&, size_t, GroupTaps&) {
   return false;
 }
+inline void WriteGroup(const float*, const float* const*, unsigned char*, ptrdiff_t) {}
 
 #endif
+
+// Rows of ratios and planes of means of up to kGroup objects from first_item.
+template <class Source>
+GAUNT_LANES void GatherGroup(const Source& source, size_t first_item, size_t items, size_t taps,
+                             float* rows, float* const means[3]) {
+  for (size_t t = 0; t < taps; t += kTapChunk) {
+    const size_t chunk = std::min(kTapChunk, taps - t);
+    GroupTaps group;
+    if (taps != kTapChunk || items != kGroup || !FetchEightTaps(source, first_item, group)) {
+      FetchTaps(source, first_item, items, t, chunk, group);
+    }
+    SumMeans(group, chunk, t == 0, means);
+    switch (chunk) {
+      case 1: SumGroup<1>(group, 1, t == 0, rows); break;
+      case 4: SumGroup<4>(group, 4, t == 0, rows); break;
+      case 8: SumGroup<8>(group, 8, t == 0, rows); break;
+      default: SumGroup<0>(group, chunk, t == 0, rows); break;
+    }
+  }
+}
 
 // out of item i = sum over its taps of weight times decoded record, bands below n only.
 template <int n, class Source>
@@ -179,29 +230,24 @@ void GatherRecords(size_t count, size_t taps, const Source& source, const simd::
   HWY_ALIGN float rows[kTile * kRow];
   HWY_ALIGN float means[Sh3::kChannels * kTile];
   constexpr size_t kPlanes = Sh3::kChannels * NumCoefficients(n);
-  for (size_t done = 0; done < count; done += kTile) {
+  constexpr bool kTransposes = !HWY_HAVE_SCALABLE && HWY_TARGET != HWY_SCALAR;
+  size_t done = 0;
+  if (kTransposes && n == 3 && out.item_stride == sizeof(float) && out.tile_items % kGroup == 0) {
+    float* const group_means[3] = {means, means + kGroup, means + 2 * kGroup};
+    for (; done + kGroup <= count; done += kGroup) {
+      GatherGroup(source, done, kGroup, taps, rows, group_means);
+      WriteGroup(rows, group_means, out.Item(done), out.plane_stride);
+    }
+  }
+  for (; done < count; done += kTile) {
     const size_t tile = std::min(kTile, count - done);
     for (size_t o = 0; o < tile; o += kGroup) {
-      const size_t items = std::min(kGroup, tile - o);
       float* const group_means[3] = {means + o, means + kTile + o, means + 2 * kTile + o};
-      float* const group_rows = rows + o * kRow;
-      for (size_t t = 0; t == 0 || t < taps; t += kTapChunk) {
-        const size_t chunk = std::min(kTapChunk, taps - t);
-        GroupTaps group;
-        if (taps != kTapChunk || items != kGroup || !FetchEightTaps(source, done + o, group)) {
-          FetchTaps(source, done + o, items, t, chunk, group);
-        }
-        SumMeans(group, chunk, t == 0, group_means);
-        switch (chunk) {
-          case 1: SumGroup<1>(group, 1, t == 0, group_rows); break;
-          case 4: SumGroup<4>(group, 4, t == 0, group_rows); break;
-          case 8: SumGroup<8>(group, 8, t == 0, group_rows); break;
-          default: SumGroup<0>(group, chunk, t == 0, group_rows); break;
-        }
-      }
+      GatherGroup(source, done + o, std::min(kGroup, tile - o), taps, rows + o * kRow, group_means);
     }
     ForEachBatch(tile, FinishGather<n>(), In<kRow>(simd::InterleavedIn(rows, kRow)),
-                 In<Sh3::kChannels>(simd::PlanarIn(means, kTile)), Out<kPlanes>(out, kPlanes, done));
+                 In<Sh3::kChannels>(simd::PlanarIn(means, kTile)),
+                 Out<kPlanes>(out, kPlanes, done));
   }
 }
 

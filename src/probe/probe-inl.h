@@ -168,8 +168,7 @@ struct EncodeSh3 {
   template <class K, class V, class In, class Out, class Slots>
   static GAUNT_LANES void EncodeChannel(const K& k, size_t c, V mean, const In& in,
                                         const Out& fields, Slots& sums) {
-    const V per_mean =
-        IfThenElseZero(Gt(mean, k(0.0)), Div(k(Sh3::kQuantum), mean));
+    const V per_mean = IfThenElseZero(Gt(mean, k(0.0)), Div(k(Sh3::kQuantum), mean));
     const V top = k(Sh3::kQuantum);
     const V bottom = k(-Sh3::kQuantum);
     V energy = k(0.0), worst = k(0.0);

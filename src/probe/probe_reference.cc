@@ -76,8 +76,7 @@ void GatherReference(size_t taps, const uint32_t* indices, const float* weights,
   }
 }
 
-void ErrorReference(const double wanted[27], const double decoded[27], double* rms,
-                    double* bound) {
+void ErrorReference(const double wanted[27], const double decoded[27], double* rms, double* bound) {
   const double pi = std::acos(-1.0);
   *rms = *bound = 0.0;
   for (int c = 0; c < 3; ++c) {

@@ -8,8 +8,8 @@
 
 namespace gaunt::project {
 
-// Calls visit(l, m, p) for 0 <= m <= l < order, where y_l^+-m(theta, phi) = p cos(m phi), p sin(m phi)
-// at cos(theta) = z, sin(theta) = s.
+// Calls visit(l, m, p) for 0 <= m <= l < order, where y_l^+-m(theta, phi) = p cos(m phi), p sin(m
+// phi) at cos(theta) = z, sin(theta) = s.
 template <class Visit>
 void ForEachLegendre(int order, double z, double s, const Visit& visit) {
   double sectoral = 1.0;  // s^m

@@ -16,7 +16,8 @@ namespace gaunt::project::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// Sum over groups of texels times weights, in two sums so that neighbours do not wait for each other.
+// Sum over groups of texels times weights, in two sums so that neighbours do not wait for each
+// other.
 struct WeightedSum {
   template <class K, class InT, class InW>
   GAUNT_LANES typename K::V operator()(const K& k, const InT& texels, const InW& weights,

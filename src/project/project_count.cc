@@ -8,7 +8,8 @@ namespace gaunt::project {
 
 void AppendOperations(OperationRows& rows);
 
-// Per texel of one channel: one pass of the sum per moment; what a row adds at its end is not counted.
+// Per texel of one channel: one pass of the sum per moment; what a row adds at its end is not
+// counted.
 void AppendOperations(OperationRows& rows) {
   for (int n = 1; n <= kMaxUnrolledOrder; ++n) {
     constexpr uint64_t kGroups = 1024;

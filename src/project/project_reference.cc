@@ -21,8 +21,8 @@ void EquirectReference(int order, int channels, const float* pixels, int width, 
         2.0 * pi / width * (std::cos(pi * row / height) - std::cos(pi * (row + 1) / height));
     for (int column = 0; column < width; ++column) {
       const double phi = pi - 2.0 * pi * (column + 0.5) / width;
-      const double direction[3] = {std::sin(theta) * std::cos(phi),
-                                   std::sin(theta) * std::sin(phi), std::cos(theta)};
+      const double direction[3] = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                   std::cos(theta)};
       basis::EvalReference(order, direction, y.data());
       for (int c = 0; c < channels; ++c) {
         const double value =

@@ -27,8 +27,7 @@ struct MatrixFromQuaternion {
     using V = typename K::V;
     const V x = q(0), y = q(1), z = q(2), w = q(3);
     const V squared = MulAdd(x, x, MulAdd(y, y, MulAdd(z, z, Mul(w, w))));
-    const V scale =
-        IfThenZeroElse(Lt(squared, k(kZeroSquaredLength)), Div(k(2.0), squared));
+    const V scale = IfThenZeroElse(Lt(squared, k(kZeroSquaredLength)), Div(k(2.0), squared));
     const V sx = Mul(scale, x), sy = Mul(scale, y), sz = Mul(scale, z);
     const V xx = Mul(sx, x), zz = Mul(sz, z);
     const V wx = Mul(sx, w), wy = Mul(sy, w), wz = Mul(sz, w);
@@ -81,7 +80,8 @@ struct RotateMatrix {
   }
 
   // f(s) = s^T T s with T = [a d e; d b g; e g c] of trace zero, and T' = R T R^T. In units of
-  // sqrt(15/pi)/4: d = f_4, g = -f_5, e = -f_7, a = f_8 - t, b = -f_8 - t, c = 2 t, t = f_6/sqrt(3).
+  // sqrt(15/pi)/4: d = f_4, g = -f_5, e = -f_7, a = f_8 - t, b = -f_8 - t, c = 2 t, t =
+  // f_6/sqrt(3).
   template <class K, class M, class In, class Out>
   static GAUNT_LANES void Band2(const K& k, const M& matrix, const In& in, const Out& out) {
     using V = typename K::V;

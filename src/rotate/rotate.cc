@@ -32,8 +32,8 @@ void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaterni
   }
   constexpr size_t kMaxPlanes = kMaxChannels * NumCoefficients(n);
   const size_t planes = channels * NumCoefficients(n);
-  ForEachBatch(count, RotateQuaternion<n>{channels}, In<4>(quaternions),
-               In<kMaxPlanes>(in, planes), Out<kMaxPlanes>(out, planes));
+  ForEachBatch(count, RotateQuaternion<n>{channels}, In<4>(quaternions), In<kMaxPlanes>(in, planes),
+               Out<kMaxPlanes>(out, planes));
 }
 
 template <int... n>

@@ -58,7 +58,8 @@ void MatrixReference(const double quaternion[4], double matrix[9]) {
   }
 }
 
-// out_i = int f(R^-1 s) y_i(s) ds, by a quadrature that is exact for the product of two such functions.
+// out_i = int f(R^-1 s) y_i(s) ds, by a quadrature that is exact for the product of two such
+// functions.
 void RotateReference(int order, const double matrix[9], const double* in, double* out) {
   std::vector<double> nodes, weights;
   GaussLegendre(order, &nodes, &weights);

@@ -121,7 +121,8 @@ class InSide : public Side<InCursor, simd::InView> {
   void End(size_t, size_t) {}
 
  protected:
-  HWY_NOINLINE InSide(const simd::InView& view, size_t planes, size_t first, float* tile, size_t groups)
+  HWY_NOINLINE InSide(const simd::InView& view, size_t planes, size_t first, float* tile,
+                      size_t groups)
       : Side(view, planes, first, tile, groups), splat_(view.IsBroadcast()) {
     if (!splat_) return;
     LoadTiles(view, RowShape::kOther, 0, 1, planes, tile);
@@ -143,12 +144,13 @@ class OutSide : public Side<OutCursor, simd::OutView> {
   }
 
  protected:
-  HWY_NOINLINE OutSide(const simd::OutView& view, size_t planes, size_t first, float* tile, size_t groups)
+  HWY_NOINLINE OutSide(const simd::OutView& view, size_t planes, size_t first, float* tile,
+                       size_t groups)
       : Side(view, planes, first, tile, groups) {}
 };
 
 // Storage of a side whose items have at most kPlanes planes; the batch begins at item `first`, a
-// multiple of kMaxLanes.
+// multiple of the lanes where whole groups follow.
 template <size_t kPlanes>
 struct TileStorage {
   static constexpr size_t kGroups = TileGroups(kPlanes);

@@ -6,8 +6,8 @@
 
 #include "families.h"  // generated: GAUNT_FOR_EACH_FAMILY
 
-#define GAUNT_DECLARE(family)                  \
-  namespace gaunt::family {                    \
+#define GAUNT_DECLARE(family)                 \
+  namespace gaunt::family {                   \
   void AppendOperations(OperationRows& rows); \
   }
 GAUNT_FOR_EACH_FAMILY(GAUNT_DECLARE)

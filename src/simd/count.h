@@ -47,9 +47,7 @@ inline Counted Add(Counted, Counted) { return ++CountedOperations().add, Counted
 inline Counted Sub(Counted, Counted) { return ++CountedOperations().add, Counted(); }
 inline Counted MulAdd(Counted, Counted, Counted) { return ++CountedOperations().fma, Counted(); }
 inline Counted MulSub(Counted, Counted, Counted) { return ++CountedOperations().fma, Counted(); }
-inline Counted NegMulAdd(Counted, Counted, Counted) {
-  return ++CountedOperations().fma, Counted();
-}
+inline Counted NegMulAdd(Counted, Counted, Counted) { return ++CountedOperations().fma, Counted(); }
 inline Counted Div(Counted, Counted) { return ++CountedOperations().div, Counted(); }
 inline Counted Sqrt(Counted) { return ++CountedOperations().div, Counted(); }
 inline Counted Neg(Counted) { return {}; }

@@ -50,8 +50,8 @@ using hn::Sub;
 inline constexpr size_t kMaxLanes = 16;
 using LaneTag = hn::CappedTag<float, kMaxLanes>;
 
-// Planes of a group of lanes in memory: reading, and writing. From(p) begins at plane p, so that a loop
-// over channels multiplies by the stride once per channel.
+// Planes of a group of lanes in memory: reading, and writing. From(p) begins at plane p, so that a
+// loop over channels multiplies by the stride once per channel.
 struct PlanesIn {
   const unsigned char* data;
   ptrdiff_t stride;
@@ -59,8 +59,8 @@ struct PlanesIn {
     return {data + static_cast<ptrdiff_t>(p) * stride, stride};
   }
   GAUNT_LANES hn::Vec<LaneTag> operator()(size_t p) const {
-    return hn::LoadU(LaneTag(), reinterpret_cast<const float*>(
-                                    data + static_cast<ptrdiff_t>(p) * stride));
+    return hn::LoadU(LaneTag(),
+                     reinterpret_cast<const float*>(data + static_cast<ptrdiff_t>(p) * stride));
   }
 };
 
@@ -84,9 +84,7 @@ struct Lanes {
   template <int kCount>
   struct Slots {
     HWY_ALIGN float data[kCount * kMaxLanes];
-    GAUNT_LANES V operator()(size_t p) const {
-      return hn::Load(LaneTag(), data + p * kMaxLanes);
-    }
+    GAUNT_LANES V operator()(size_t p) const { return hn::Load(LaneTag(), data + p * kMaxLanes); }
     GAUNT_LANES void operator()(size_t p, V v) { hn::Store(v, LaneTag(), data + p * kMaxLanes); }
   };
 };

@@ -18,7 +18,8 @@ const char* ChosenTargetName();
 // not compiled in, or not supported by this CPU.
 bool SelectTarget(const char* name);
 
-// Name of the index-th target that is compiled in and supported here, best first; null past the end.
+// Name of the index-th target that is compiled in and supported here, best first; null past the
+// end.
 const char* SupportedTargetName(size_t index);
 
 }  // namespace gaunt::simd

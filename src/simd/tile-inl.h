@@ -20,7 +20,8 @@ namespace gaunt::HWY_NAMESPACE {
 // Bytes from plane to plane of a tile: room for the widest vector.
 inline constexpr ptrdiff_t kTileStride = kMaxLanes * sizeof(float);
 
-// The layouts that the fast conversions know: contiguous planes per item, which 4x4 transposes turn.
+// The layouts that the fast conversions know: contiguous planes per item, which 4x4 transposes
+// turn.
 enum class RowShape {
   kOther,   // any strides
   kRows,    // at least four planes
@@ -103,7 +104,8 @@ GAUNT_LANES void Transpose4(D d, V& a, V& b, V& c, V& e) {
 }
 
 // Planes from the one that `row` points at, of a group of items; `tile_stride` floats from plane to
-// plane. Where items are back to back, all but the last of a block may read a float of the next one.
+// plane. Where items are back to back, all but the last of a block may read a float of the next
+// one.
 template <int kFloats, int kFloatsInside = kFloats, class D>
 GAUNT_LANES void LoadBlock(D d, const unsigned char* row, ptrdiff_t item_stride,
                            float* HWY_RESTRICT tile, size_t tile_stride) {
@@ -174,7 +176,7 @@ GAUNT_LANES void StoreRows(RowShape shape, const float* HWY_RESTRICT tile, unsig
 // Items first .. first + n into consecutive tiles of one group of lanes each. Lanes beyond n repeat
 // an item, so that they cost no slow arithmetic on leftover bits.
 inline HWY_NOINLINE void LoadTiles(const simd::InView& view, RowShape shape, size_t first, size_t n,
-                            size_t planes, float* HWY_RESTRICT tile) {
+                                   size_t planes, float* HWY_RESTRICT tile) {
   const size_t lanes = hn::Lanes(LaneTag());
   size_t i = 0;
   for (; shape != RowShape::kOther && i + lanes <= n; i += lanes, tile += planes * kMaxLanes) {
@@ -192,7 +194,7 @@ inline HWY_NOINLINE void LoadTiles(const simd::InView& view, RowShape shape, siz
 }
 
 inline HWY_NOINLINE void StoreTiles(const float* HWY_RESTRICT tile, const simd::OutView& view,
-                             RowShape shape, size_t first, size_t n, size_t planes) {
+                                    RowShape shape, size_t first, size_t n, size_t planes) {
   const size_t lanes = hn::Lanes(LaneTag());
   size_t i = 0;
   for (; shape != RowShape::kOther && i + lanes <= n; i += lanes, tile += planes * kMaxLanes) {

@@ -42,7 +42,8 @@ using OutView = BasicView<unsigned char>;
 
 // Contiguous items of `planes` floats each.
 inline InView InterleavedIn(const float* data, size_t planes) {
-  return {reinterpret_cast<const unsigned char*>(data), static_cast<ptrdiff_t>(planes * 4), 4, 0, 0};
+  return {reinterpret_cast<const unsigned char*>(data), static_cast<ptrdiff_t>(planes * 4), 4, 0,
+          0};
 }
 inline OutView InterleavedOut(float* data, size_t planes) {
   return {reinterpret_cast<unsigned char*>(data), static_cast<ptrdiff_t>(planes * 4), 4, 0, 0};

@@ -47,33 +47,19 @@ Buffer::Buffer(Layout layout, size_t count, size_t planes) : count_(count), plan
   ptrdiff_t item = 0, plane = 1, tile = 0, first = 0, floats = 0;
   size_t tile_items = 0;
   switch (layout) {
-    case Layout::kPlanar:
-      item = 1, plane = n + 3, floats = p * plane;
-      break;
-    case Layout::kPlanarPowerOfTwo:
-      item = 1, plane = 1024, floats = p * plane;
-      break;
-    case Layout::kInterleaved:
-      item = p, floats = n * p;
-      break;
-    case Layout::kRecord:
-      item = p + 5, first = 2, floats = n * item;
-      break;
+    case Layout::kPlanar: item = 1, plane = n + 3, floats = p * plane; break;
+    case Layout::kPlanarPowerOfTwo: item = 1, plane = 1024, floats = p * plane; break;
+    case Layout::kInterleaved: item = p, floats = n * p; break;
+    case Layout::kRecord: item = p + 5, first = 2, floats = n * item; break;
     case Layout::kTiled:
       item = 1, plane = 16, tile = 16 * p, tile_items = 16, floats = (n + 15) / 16 * tile;
       break;
     case Layout::kOddTiles:
       item = 1, plane = 5, tile = 5 * p + 1, tile_items = 5, floats = (n + 4) / 5 * tile;
       break;
-    case Layout::kBackwards:
-      item = -1, plane = n + 1, first = n - 1, floats = p * plane;
-      break;
-    case Layout::kScattered:
-      item = 3, plane = 3 * n + 1, floats = p * plane;
-      break;
-    case Layout::kBroadcast:
-      floats = p;
-      break;
+    case Layout::kBackwards: item = -1, plane = n + 1, first = n - 1, floats = p * plane; break;
+    case Layout::kScattered: item = 3, plane = 3 * n + 1, floats = p * plane; break;
+    case Layout::kBroadcast: floats = p; break;
   }
   if (first < 0) first = 0;
   memory_.assign(static_cast<size_t>(floats) + 2 * kMargin, Canary());

@@ -15,12 +15,12 @@ enum class Layout {
   kPlanar,
   kPlanarPowerOfTwo,  // 4 KiB from plane to plane
   kInterleaved,
-  kRecord,      // interleaved, with other fields around
-  kTiled,       // tiles of 16
-  kOddTiles,    // tiles of 5, which no vector fits
-  kBackwards,   // negative item stride
-  kScattered,   // no stride is that of a neighbour
-  kBroadcast    // one item for all: for inputs
+  kRecord,     // interleaved, with other fields around
+  kTiled,      // tiles of 16
+  kOddTiles,   // tiles of 5, which no vector fits
+  kBackwards,  // negative item stride
+  kScattered,  // no stride is that of a neighbour
+  kBroadcast   // one item for all: for inputs
 };
 
 // Every layout that outputs can have too.

@@ -82,8 +82,8 @@ void ExpectMatchesReference(const Operation& operation, const Values& inputs, si
       const double tolerance = operation.tolerance(item, s);
       for (size_t p = 0; p < operation.outputs[s]; ++p) {
         ASSERT_NEAR(out[s].Get(i, p), wanted[s][p], tolerance)
-            << operation.name << ": item " << i << " of " << count << ", output " << s
-            << ", plane " << p;
+            << operation.name << ": item " << i << " of " << count << ", output " << s << ", plane "
+            << p;
       }
     }
   }
@@ -96,8 +96,8 @@ void ExpectSameOutputs(const Operation& operation, size_t count, const std::vect
       if (i == except_item) continue;
       for (size_t p = 0; p < operation.outputs[s]; ++p) {
         ASSERT_TRUE(SameBits(a[s].Get(i, p), b[s].Get(i, p)))
-            << operation.name << ": item " << i << " of " << count << ", output " << s
-            << ", plane " << p << ": " << a[s].Get(i, p) << " against " << b[s].Get(i, p);
+            << operation.name << ": item " << i << " of " << count << ", output " << s << ", plane "
+            << p << ": " << a[s].Get(i, p) << " against " << b[s].Get(i, p);
       }
     }
   }
@@ -158,8 +158,8 @@ void TestInPlace(const Operation& operation, size_t side, size_t count) {
 
 void TestNotANumber(const Operation& operation) {
   constexpr size_t kBad = 21;
-  for (const float bad : {std::numeric_limits<float>::quiet_NaN(),
-                          std::numeric_limits<float>::infinity()}) {
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     for (size_t side = 0; side < operation.inputs.size(); ++side) {
       Values inputs = MakeInputs(operation, kMostItems);
       for (const Layout layout : {Layout::kPlanar, Layout::kInterleaved}) {
@@ -184,7 +184,8 @@ std::string HashOf(const Operation& operation, const std::vector<Buffer>& out) {
         const float value = out[s].Get(i, p);
         uint32_t bits;
         std::memcpy(&bits, &value, sizeof(bits));
-        for (int byte = 0; byte < 4; ++byte) hash = (hash ^ (bits >> (8 * byte) & 255)) * 1099511628211u;
+        for (int byte = 0; byte < 4; ++byte)
+          hash = (hash ^ (bits >> (8 * byte) & 255)) * 1099511628211u;
       }
     }
   }

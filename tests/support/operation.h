@@ -35,9 +35,9 @@ struct Operation {
 // place; a NaN stays in its item.
 void TestBatches(const Operation& operation);
 
-// Equal bits on all targets with fused multiply-add, and on all others: on this machine, and, by the
-// hashes in tests/golden/bits.csv, on all machines. With GAUNT_WRITE_BITS=FILE in the environment, rows
-// for that file are appended to FILE.
+// Equal bits on all targets with fused multiply-add, and on all others: on this machine, and, by
+// the hashes in tests/golden/bits.csv, on all machines. With GAUNT_WRITE_BITS=FILE in the
+// environment, rows for that file are appended to FILE.
 void TestSameBits(const Operation& operation);
 
 // Each wrong view gives its status, and nothing is written.

@@ -22,8 +22,8 @@ class Random {
   float Between(double from, double to) {
     return static_cast<float>(from + (to - from) * Uniform());
   }
-  // A uniform unit vector, rounded to float. Only operations that IEEE 754 defines to the bit, so that
-  // hashes of results can be compared between machines.
+  // A uniform unit vector, rounded to float. Only operations that IEEE 754 defines to the bit, so
+  // that hashes of results can be compared between machines.
   void Direction(float* d) {
     double v[3], squared;
     do {

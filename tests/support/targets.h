@@ -22,8 +22,7 @@ inline std::vector<std::string> SupportedTargets() {
 
 // Targets with fused multiply-add give equal bits; so do the others.
 inline bool HasFma(const std::string& target) {
-  return target.rfind("AVX", 0) == 0 || target.rfind("NEON", 0) == 0 ||
-         target.rfind("SVE", 0) == 0;
+  return target.rfind("AVX", 0) == 0 || target.rfind("NEON", 0) == 0 || target.rfind("SVE", 0) == 0;
 }
 
 class TargetTest : public testing::TestWithParam<std::string> {
@@ -35,7 +34,7 @@ class TargetTest : public testing::TestWithParam<std::string> {
   void TearDown() override { gaunt_target_select(nullptr); }
 };
 
-#define GAUNT_INSTANTIATE_TARGETS(Suite)                                              \
+#define GAUNT_INSTANTIATE_TARGETS(Suite)                                                  \
   INSTANTIATE_TEST_SUITE_P(, Suite, testing::ValuesIn(::gaunt::test::SupportedTargets()), \
                            [](const auto& target) { return target.param; })
 

@@ -4,7 +4,6 @@
 #define GAUNT_TOOLS_GAUNT_COMMAND_H_
 
 #include <CLI/CLI.hpp>
-
 #include <stdexcept>
 #include <string>
 

@@ -19,8 +19,13 @@ void PrintJson(const OperationRows& rows) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (const OperationRow& row : rows) {
     const Operations& o = row.operations;
-    out.push_back({{"op", row.op}, {"order", row.order}, {"variant", row.variant},
-                   {"mul", o.mul}, {"fma", o.fma}, {"add", o.add}, {"ports", o.Ports()},
+    out.push_back({{"op", row.op},
+                   {"order", row.order},
+                   {"variant", row.variant},
+                   {"mul", o.mul},
+                   {"fma", o.fma},
+                   {"add", o.add},
+                   {"ports", o.Ports()},
                    {"div", o.div}});
   }
   fmt::print("{}\n", out.dump(2));
@@ -42,8 +47,8 @@ void PrintOpcount(const OpcountOptions& options) {
              "ports");
   for (const OperationRow& row : rows) {
     const Operations& o = row.operations;
-    fmt::print("{:22}{:8}{:18}{:>6}{:>6}{:>6}{:>7}\n", row.op, row.order, row.variant, o.mul,
-               o.fma, o.add, o.Ports());
+    fmt::print("{:22}{:8}{:18}{:>6}{:>6}{:>6}{:>7}\n", row.op, row.order, row.variant, o.mul, o.fma,
+               o.add, o.Ports());
   }
 }
 
@@ -51,8 +56,9 @@ void PrintOpcount(const OpcountOptions& options) {
 
 void AddOpcount(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "opcount", "Multiplications, fused multiply-adds and additions that each kernel executes "
-                 "for one item; multiplies = mul + fma, ports = mul + fma + add");
+      "opcount",
+      "Multiplications, fused multiply-adds and additions that each kernel executes "
+      "for one item; multiplies = mul + fma, ports = mul + fma + add");
   const auto options = std::make_shared<OpcountOptions>();
   CLI::Option* csv = command->add_flag("--csv", options->csv, "Print comma-separated values");
   command->add_flag("--json", options->json, "Print JSON")->excludes(csv);

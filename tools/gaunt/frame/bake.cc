@@ -103,11 +103,10 @@ Vec3 ProbeVolume::Irradiance(const Vec3& point, const Vec3& normal) const {
   const double n[3] = {normal.x, normal.y, normal.z};
   double y[9], rgb[3] = {0.0, 0.0, 0.0};
   basis::EvalReference(3, n, y);
-  constexpr double kBand[9] = {evaluate::CosineBand(0), evaluate::CosineBand(1),
-                               evaluate::CosineBand(1), evaluate::CosineBand(1),
-                               evaluate::CosineBand(2), evaluate::CosineBand(2),
-                               evaluate::CosineBand(2), evaluate::CosineBand(2),
-                               evaluate::CosineBand(2)};
+  constexpr double kBand[9] = {
+      evaluate::CosineBand(0), evaluate::CosineBand(1), evaluate::CosineBand(1),
+      evaluate::CosineBand(1), evaluate::CosineBand(2), evaluate::CosineBand(2),
+      evaluate::CosineBand(2), evaluate::CosineBand(2), evaluate::CosineBand(2)};
   for (int t = 0; t < 8; ++t) {
     const double* f = coefficients.data() + indices[t] * kPlanes;
     for (int c = 0; c < 3; ++c) {

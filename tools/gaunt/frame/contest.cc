@@ -132,8 +132,13 @@ ContestResult RunContest(const ProbeVolume& volume, const std::vector<uint8_t>& 
   FrameInput input = {};
   for (int frame = 0; frame < frames; ++frame) {
     objects->MoveTo(frame, volume.grid);
-    input = {count, packed.data(), volume.grid.count(), objects->indices().data(),
-             objects->weights().data(), kAlpha, objects->quaternions().data()};
+    input = {count,
+             packed.data(),
+             volume.grid.count(),
+             objects->indices().data(),
+             objects->weights().data(),
+             kAlpha,
+             objects->quaternions().data()};
     const uint8_t* rotates = objects->rotates().data();
     // In turn, so that a slow moment of the machine meets all of them.
     for (int turn = 0; turn < 3; ++turn) {

@@ -40,8 +40,7 @@ struct ContestResult {
 
 // Lights the objects for a number of frames; they end in the last one.
 ContestResult RunContest(const ProbeVolume& volume, const std::vector<uint8_t>& packed,
-                         Objects* objects, int frames,
-                         const std::function<void(double)>& progress);
+                         Objects* objects, int frames, const std::function<void(double)>& progress);
 
 }  // namespace gaunt::tool
 

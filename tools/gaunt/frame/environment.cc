@@ -25,8 +25,8 @@ Environment Environment::Procedural() {
       const double haze = std::exp(-4.0 * up);
       Vec3 colour = (1.0 - haze) * Vec3{0.16, 0.34, 0.80} + haze * Vec3{0.78, 0.80, 0.80};
       const double near_sun = std::max(Dot(d, sky.sun_.direction), 0.0);
-      colour += (0.9 * std::pow(near_sun, 24.0) + 0.3 * std::pow(near_sun, 4.0)) *
-                Vec3{1.0, 0.72, 0.42};
+      colour +=
+          (0.9 * std::pow(near_sun, 24.0) + 0.3 * std::pow(near_sun, 4.0)) * Vec3{1.0, 0.72, 0.42};
       if (d.z < 0.0) colour = std::min(1.0, 1.0 + 8.0 * d.z) * 0.5 * colour + Vec3{0.1, 0.09, 0.08};
       *out++ = static_cast<float>(std::max(colour.x, 0.05));
       *out++ = static_cast<float>(std::max(colour.y, 0.05));
@@ -81,8 +81,8 @@ std::optional<Environment> Environment::Load(const std::string& path, TexelRepor
 
 Vec3 Environment::Texel(int column, int row) const {
   const float* texel =
-      texels_.data() + (static_cast<size_t>(row) * static_cast<size_t>(width_) +
-                        static_cast<size_t>(column)) * 3;
+      texels_.data() +
+      (static_cast<size_t>(row) * static_cast<size_t>(width_) + static_cast<size_t>(column)) * 3;
   return {texel[0], texel[1], texel[2]};
 }
 
@@ -134,8 +134,10 @@ void Environment::TakeSun() {
       const double keep = ceiling / luminance;
       irradiance += (1.0 - keep) * solid_angle(row) * texel;
       direction += (luminance - ceiling) * solid_angle(row) * d;
-      cut.emplace_back((static_cast<size_t>(row) * static_cast<size_t>(width_) +
-                        static_cast<size_t>(column)) * 3, keep);
+      cut.emplace_back(
+          (static_cast<size_t>(row) * static_cast<size_t>(width_) + static_cast<size_t>(column)) *
+              3,
+          keep);
     }
   }
   if (Luminance(irradiance) < kShare * mean * 4.0 * kPi) return;

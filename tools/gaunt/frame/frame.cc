@@ -102,8 +102,8 @@ LitSphere MakeSphere(const Vec3& centre, double radius, const Vec3& albedo, cons
   return sphere;
 }
 
-// Some of the objects as spheres: not those that rotate, whose light is in axes of their own, and not
-// those right before the camera.
+// Some of the objects as spheres: not those that rotate, whose light is in axes of their own, and
+// not those right before the camera.
 std::vector<LitSphere> ObjectSpheres(const Scene& scene, const Objects& objects,
                                      const std::vector<float>& constants,
                                      const std::vector<float>& lights) {
@@ -153,8 +153,8 @@ void WritePictures(const FrameOptions& options, const Scene& scene, const Enviro
   const std::vector<float> exact(volume.coefficients.begin(), volume.coefficients.end());
   const auto write = [&](const std::vector<LitSphere>& left, const std::vector<LitSphere>& right,
                          const char* name) {
-    const Picture picture = Render(scene, environment, indirect, left, right, kPictureWidth,
-                                   kPictureHeight);
+    const Picture picture =
+        Render(scene, environment, indirect, left, right, kPictureWidth, kPictureHeight);
     const std::string error =
         WritePng(picture, (std::filesystem::path(options.out) / name).string());
     if (!error.empty()) throw BadInput(error);
@@ -181,9 +181,10 @@ void PrintText(const FrameOptions& options, const TexelReport& report, const Pro
   for (int step = 0; step < kSteps; ++step) {
     fmt::print(" {} {:.1f}", kStepNames[step], result.steps[static_cast<size_t>(step)]);
   }
-  fmt::print("\nirradiance against unpacked probes in double precision: RMS error {:.2f} %, "
-             "largest {:.2f} % of an object's mean\n",
-             100.0 * result.errors.rms, 100.0 * result.errors.largest);
+  fmt::print(
+      "\nirradiance against unpacked probes in double precision: RMS error {:.2f} %, "
+      "largest {:.2f} % of an object's mean\n",
+      100.0 * result.errors.rms, 100.0 * result.errors.largest);
   for (const Baseline& baseline : result.baselines) {
     fmt::print("scalar loop {} ({}): {:.1f} ns per object, {:.1f} x the time\n", baseline.name,
                baseline.compiler, baseline.timing.median,
@@ -211,12 +212,11 @@ void PrintJson(const FrameOptions& options, const TexelReport& report, const Pro
   }
   json["irradiance_error"] = {{"rms", result.errors.rms}, {"largest", result.errors.largest}};
   for (const Baseline& baseline : result.baselines) {
-    json["baselines"].push_back(
-        {{"name", baseline.name},
-         {"compiler", baseline.compiler},
-         {"ns_per_object", timing(baseline.timing)},
-         {"ratio_p05", baseline.timing.p05 / result.gaunt.p05},
-         {"ratio_median", baseline.timing.median / result.gaunt.median}});
+    json["baselines"].push_back({{"name", baseline.name},
+                                 {"compiler", baseline.compiler},
+                                 {"ns_per_object", timing(baseline.timing)},
+                                 {"ratio_p05", baseline.timing.p05 / result.gaunt.p05},
+                                 {"ratio_median", baseline.timing.median / result.gaunt.median}});
   }
   fmt::print("{}\n", json.dump(2));
 }
@@ -236,8 +236,8 @@ void RunFrame(const FrameOptions& options) {
   PrepareOut(options.out);
 
   const IndirectFn sky = SkyLight(environment);
-  const ProbeGrid grid = ProbeGrid::Fill(scene->probe_bounds(), options.grid[0], options.grid[1],
-                                         options.grid[2]);
+  const ProbeGrid grid =
+      ProbeGrid::Fill(scene->probe_bounds(), options.grid[0], options.grid[1], options.grid[2]);
   ProbeVolume volume;
   {
     Progress bar("baking");
@@ -273,15 +273,21 @@ void AddFrame(CLI::App& app) {
   command->add_option("--env", o->environment,
                       "Panorama around the scene, EXR or HDR, z up; by default a sky with a sun");
   command->add_option("--grid", o->grid, "Probes along x, y and z")
-      ->expected(3)->check(CLI::Range(1, 1024))->capture_default_str();
+      ->expected(3)
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   command->add_option("--rays", o->rays, "Rays per probe")
-      ->check(CLI::Range(16, 65536))->capture_default_str();
+      ->check(CLI::Range(16, 65536))
+      ->capture_default_str();
   command->add_option("--bounces", o->bounces, "Reflections between surfaces")
-      ->check(CLI::Range(0, 8))->capture_default_str();
+      ->check(CLI::Range(0, 8))
+      ->capture_default_str();
   command->add_option("--objects", o->objects, "Moving objects")
-      ->check(CLI::Range(1, 1000000))->capture_default_str();
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
   command->add_option("--frames", o->frames, "Frames to light them for")
-      ->check(CLI::Range(1, 100000))->capture_default_str();
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
   command->add_option("--target", o->target, "SIMD target; see gaunt info");
   command->add_option("--out", o->out, "Folder for the pictures")->capture_default_str();
   command->add_flag("--json", o->json, "Print JSON");

@@ -52,8 +52,7 @@ void LightJob::RunStep(Step step, const FrameInput& input, const Tile& tile) con
                                       input.weights + tile.first * 8, input.packed, input.probes,
                                       28, &tile.now));
     case Step::kLerp:
-      return Check(
-          gaunt_sh_blend(3, 3, n, &tile.history, &tile.now, &tile.alpha, &tile.history));
+      return Check(gaunt_sh_blend(3, 3, n, &tile.history, &tile.now, &tile.alpha, &tile.history));
     case Step::kRotate:
       return Check(gaunt_rotate(3, 3, n, &tile.quaternions, &tile.history, &tile.rotated));
     case Step::kDirection:

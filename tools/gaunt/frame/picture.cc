@@ -70,8 +70,8 @@ Samples RenderScene(const Scene& scene, const Environment& environment, const In
   Samples samples = {std::vector<Vec3>(count), std::vector<double>(count)};
   ParallelFor(view.height, [&](int y) {
     for (int x = 0; x < view.width; ++x) {
-      const size_t at = static_cast<size_t>(y) * static_cast<size_t>(view.width) +
-                        static_cast<size_t>(x);
+      const size_t at =
+          static_cast<size_t>(y) * static_cast<size_t>(view.width) + static_cast<size_t>(x);
       const Ray ray = view.At(x, y);
       Hit hit;
       if (scene.Intersect(ray, &hit)) {
@@ -94,17 +94,17 @@ void DrawSpheres(const std::vector<LitSphere>& spheres, const View& view, Sample
     if (depth <= 2.0 * sphere.radius) continue;
     const double u = Dot(to, view.right) / Dot(view.right, view.right) / depth;
     const double v = Dot(to, view.up) / Dot(view.up, view.up) / depth;
-    const double reach = 1.3 * sphere.radius / (depth - sphere.radius) / Length(view.up) *
-                         (0.5 * view.height);
+    const double reach =
+        1.3 * sphere.radius / (depth - sphere.radius) / Length(view.up) * (0.5 * view.height);
     const int centre_x = static_cast<int>((u + 1.0) * 0.5 * view.width);
     const int centre_y = static_cast<int>((1.0 - v) * 0.5 * view.height);
     const int radius = static_cast<int>(reach) + 2;
-    for (int y = std::max(0, centre_y - radius);
-         y < std::min(view.height, centre_y + radius + 1); ++y) {
-      for (int x = std::max(0, centre_x - radius);
-           x < std::min(view.width, centre_x + radius + 1); ++x) {
-        const size_t at = static_cast<size_t>(y) * static_cast<size_t>(view.width) +
-                          static_cast<size_t>(x);
+    for (int y = std::max(0, centre_y - radius); y < std::min(view.height, centre_y + radius + 1);
+         ++y) {
+      for (int x = std::max(0, centre_x - radius); x < std::min(view.width, centre_x + radius + 1);
+           ++x) {
+        const size_t at =
+            static_cast<size_t>(y) * static_cast<size_t>(view.width) + static_cast<size_t>(x);
         const Ray ray = view.At(x, y);
         const double distance = MeetSphere(sphere, ray);
         if (distance >= samples->depth[at]) continue;
@@ -120,8 +120,8 @@ void DrawSpheres(const std::vector<LitSphere>& spheres, const View& view, Sample
 unsigned char ToByte(double linear) {
   const double mapped = linear * (1.0 + linear / 9.0) / (1.0 + linear);  // Reinhard, white at 3
   const double clipped = std::clamp(mapped, 0.0, 1.0);
-  const double srgb = clipped <= 0.0031308 ? 12.92 * clipped
-                                           : 1.055 * std::pow(clipped, 1.0 / 2.4) - 0.055;
+  const double srgb =
+      clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * std::pow(clipped, 1.0 / 2.4) - 0.055;
   return static_cast<unsigned char>(std::lround(255.0 * srgb));
 }
 
@@ -133,9 +133,9 @@ void Develop(const Samples& samples, const View& view, double exposure, int left
       double sum[3] = {0.0, 0.0, 0.0};
       for (int s = 0; s < kSamples * kSamples; ++s) {
         const int sy = y * kSamples + s / kSamples, sx = x * kSamples + s % kSamples;
-        const Vec3& colour = samples.colour[static_cast<size_t>(sy) *
-                                                static_cast<size_t>(view.width) +
-                                            static_cast<size_t>(sx)];
+        const Vec3& colour =
+            samples.colour[static_cast<size_t>(sy) * static_cast<size_t>(view.width) +
+                           static_cast<size_t>(sx)];
         sum[0] += colour.x, sum[1] += colour.y, sum[2] += colour.z;
       }
       for (int c = 0; c < 3; ++c) pixel[c] = ToByte(exposure * sum[c] / (kSamples * kSamples));
@@ -162,7 +162,8 @@ Picture Render(const Scene& scene, const Environment& environment, const Indirec
     Develop(samples, view, exposure, is_left ? 0 : width / 2, &picture);
   }
   for (int y = 0; y < height; ++y) {  // a line between the halves
-    for (int k = -3; k < 3; ++k) picture.rgb[static_cast<size_t>(3 * (y * width + width / 2) + k)] = 255;
+    for (int k = -3; k < 3; ++k)
+      picture.rgb[static_cast<size_t>(3 * (y * width + width / 2) + k)] = 255;
   }
   return picture;
 }

@@ -23,8 +23,8 @@ struct Picture {
   std::vector<unsigned char> rgb;
 };
 
-// Left and right halves show the same view and differ in the light of the spheres only. Each half is
-// width / 2 wide; both have the same exposure.
+// Left and right halves show the same view and differ in the light of the spheres only. Each half
+// is width / 2 wide; both have the same exposure.
 Picture Render(const Scene& scene, const Environment& environment, const IndirectFn& indirect,
                const std::vector<LitSphere>& left, const std::vector<LitSphere>& right, int width,
                int height);
