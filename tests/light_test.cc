@@ -24,7 +24,7 @@ void MakeRadiance(Random& random, uint32_t n, uint32_t channels, float* out) {
     float* f = out + c * n * n;
     random.Fill(f, n * n, -0.3, 0.3);
     const float strength = random.Between(0.6, 1.0);
-    f[0] = random.Between(0.5, 1.5);
+    f[0] = random.Between(0.02, 1.5);  // down to where no ambient light is left
     f[1] = 0.2f * f[1] - strength * d[1];
     f[2] = 0.2f * f[2] + strength * d[2];
     f[3] = 0.2f * f[3] - strength * d[0];

@@ -10,9 +10,11 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <memory>
 
 #include "tests/support/buffer.h"
 #include "tests/support/golden.h"
+#include "tests/support/guarded.h"
 #include "tests/support/targets.h"
 
 namespace gaunt::test {
@@ -156,6 +158,39 @@ void TestInPlace(const Operation& operation, size_t side, size_t count) {
   }
 }
 
+// Interleaved and planar batches that end where memory does.
+void TestEndOfMemory(const Operation& operation, size_t count) {
+  const Values inputs = MakeInputs(operation, count);
+  for (const bool planar : {false, true}) {
+    std::vector<std::unique_ptr<GuardedFloats>> memory;
+    std::vector<gaunt_view> views;
+    const auto add = [&](size_t planes) {
+      memory.push_back(std::make_unique<GuardedFloats>(count * planes));
+      views.emplace_back();
+      if (planar) {
+        const size_t stride = count * sizeof(float);
+        gaunt_view_planar(memory.back()->data(), static_cast<ptrdiff_t>(stride), &views.back());
+      } else {
+        gaunt_view_interleaved(memory.back()->data(), planes, &views.back());
+      }
+    };
+    for (size_t s = 0; s < inputs.size(); ++s) {
+      add(operation.inputs[s]);
+      for (size_t i = 0; i < count; ++i) {
+        for (size_t p = 0; p < operation.inputs[s]; ++p) {
+          memory[s]->data()[planar ? p * count + i : i * operation.inputs[s] + p] = inputs[s][i][p];
+        }
+      }
+    }
+    for (const size_t planes : operation.outputs) add(planes);
+    Operation::Views in, out;
+    for (size_t v = 0; v < views.size(); ++v) {
+      (v < inputs.size() ? in : out).push_back(&views[v]);
+    }
+    ASSERT_EQ(operation.call(count, in, out), GAUNT_OK);
+  }
+}
+
 void TestNotANumber(const Operation& operation) {
   constexpr size_t kBad = 21;
   for (const float bad :
@@ -214,6 +249,7 @@ void ExpectKnownBits(const std::string& name, bool fma, const std::string& hash)
 void TestBatches(const Operation& operation) {
   SCOPED_TRACE(operation.name);
   for (const size_t count : kCounts) TestLayouts(operation, count);
+  for (const size_t count : {1, 3, 8, 16, 17}) TestEndOfMemory(operation, count);
   for (size_t side = 0; side < operation.inputs.size(); ++side) TestBroadcast(operation, side);
   for (const size_t side : operation.in_place) {
     for (const size_t count : {size_t{1}, size_t{17}, kMostItems}) {

@@ -31,8 +31,8 @@ struct Operation {
 };
 
 // Runs on the chosen target: every pair of layouts and counts around the lanes, against the
-// definition; equal bits in all layouts; canaries and inputs untouched; each input broadcast; in
-// place; a NaN stays in its item.
+// definition; equal bits in all layouts; canaries and inputs untouched; nothing beyond the end of
+// memory; each input broadcast; in place; a NaN stays in its item.
 void TestBatches(const Operation& operation);
 
 // Equal bits on all targets with fused multiply-add, and on all others: on this machine, and, by
