@@ -14,6 +14,7 @@ GAUNT_BENCHMARKS(probe) {
   batch.name = "probe/decode/n3";
   batch.operations = OperationsOf("probe_decode", "3", "sh3_28");
   batch.outputs = {27};
+  batch.more_read = kBytes;
   batch.call = [=](size_t count, const BatchBenchmark::Views&, const BatchBenchmark::Views& out) {
     return gaunt_probe_decode(GAUNT_FORMAT_SH3_28, count, packed->data(), kBytes, out[0]);
   };
@@ -29,6 +30,7 @@ GAUNT_BENCHMARKS(probe) {
   }
   batch.name = "probe/gather8/n3";
   batch.operations = OperationsOf("probe_gather", "3", "sh3_28_8_taps");
+  batch.more_read = 8 * (kBytes + sizeof(uint32_t) + sizeof(float));
   batch.call = [=](size_t count, const BatchBenchmark::Views&, const BatchBenchmark::Views& out) {
     return gaunt_probe_gather(GAUNT_FORMAT_SH3_28, 3, count, 8, indices->data(), weights->data(),
                               packed->data(), kProbes, kBytes, out[0]);
@@ -40,6 +42,7 @@ GAUNT_BENCHMARKS(probe) {
   batch.name = "probe/encode/n3";
   batch.operations = OperationsOf("probe_encode", "3", "sh3_28");
   batch.inputs = {27};
+  batch.more_written = kBytes;
   batch.make = [](size_t item, size_t, float* planes) {
     for (size_t p = 0; p < 27; ++p) {
       planes[p] = p % 9 == 0 ? 1.0f : static_cast<float>((item * 7 + p * 13) % 29) / 29.0f;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
+
+#include "bench/limits.h"
 #include "bench/support.h"
 
 namespace gaunt::bench {
@@ -19,8 +22,16 @@ GAUNT_BENCHMARKS(project) {
         std::vector<float> out(3 * n * n);
         gaunt_view view;
         gaunt_view_interleaved(out.data(), 3 * n * n, &view);
-        for (auto _ : state) gaunt_project_equirect(n, 3, &image, nullptr, &view);
         const Operations texel = 3 * OperationsOf("project_equirect", std::to_string(n), "mono");
+        constexpr size_t kTexels = size_t{kWidth} * kHeight;
+        const double limit = LimitOf(texel, 12, 0, 12 * kTexels);
+        const auto start = std::chrono::steady_clock::now();
+        for (auto _ : state) gaunt_project_equirect(n, 3, &image, nullptr, &view);
+        const std::chrono::duration<double, std::nano> time =
+            std::chrono::steady_clock::now() - start;
+        const double texels = static_cast<double>(state.iterations()) * kTexels;
+        state.counters["ns_item"] = time.count() / texels;
+        state.counters["x_limit"] = time.count() / texels / limit;
         state.SetItemsProcessed(static_cast<int64_t>(state.iterations()) * kWidth * kHeight);
         state.SetBytesProcessed(static_cast<int64_t>(state.iterations()) * kWidth * kHeight * 12);
         state.counters["mul"] = static_cast<double>(texel.mul);

@@ -104,7 +104,7 @@ void RunBatch(benchmark::State& state, const BatchBenchmark& batch, Layout layou
   for (const size_t planes : batch.inputs) in.emplace_back(layout, count, planes);
   for (const size_t planes : batch.outputs) out.emplace_back(layout, count, planes);
   BatchBenchmark::Views in_views, out_views;
-  size_t read = 0, written = 0;
+  size_t read = batch.more_read, written = batch.more_written;
   for (size_t side = 0; side < in.size(); ++side) {
     in[side].Fill([&](size_t i, float* item) {
       if (batch.make) return batch.make(i, side, item);

@@ -32,6 +32,8 @@ struct BatchBenchmark {
   // Fills an item of input `side`; by default with numbers in [-1, 1].
   std::function<void(size_t item, size_t side, float* planes)> make;
   bool large = false;  // out of cache too
+  // Bytes per item that are not in views: packed records, indices, weights.
+  size_t more_read = 0, more_written = 0;
 };
 
 void RegisterBatch(const BatchBenchmark& batch);
