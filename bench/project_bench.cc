@@ -29,9 +29,9 @@ GAUNT_BENCHMARKS(project) {
         for (auto _ : state) gaunt_project_equirect(n, 3, &image, nullptr, &view);
         const std::chrono::duration<double, std::nano> time =
             std::chrono::steady_clock::now() - start;
-        const double texels = static_cast<double>(state.iterations()) * kTexels;
-        state.counters["ns_item"] = time.count() / texels;
-        state.counters["x_limit"] = time.count() / texels / limit;
+        const double items = static_cast<double>(state.iterations()) * kTexels;
+        state.counters["ns_item"] = time.count() / items;
+        state.counters["x_limit"] = time.count() / items / limit;
         state.SetItemsProcessed(static_cast<int64_t>(state.iterations()) * kWidth * kHeight);
         state.SetBytesProcessed(static_cast<int64_t>(state.iterations()) * kWidth * kHeight * 12);
         state.counters["mul"] = static_cast<double>(texel.mul);
