@@ -7,29 +7,30 @@
  *   coefficient   i = l(l+1) + m, m = -l .. l
  *   sign          Sloan's, with the Condon-Shortley phase: y_1 = sqrt(3/(4 pi)) (-y, z, -x)
  *   scale         orthonormal: the integral of y_i y_j over the sphere is 1 if i = j, else 0
- *   axes          right-handed, z is the zonal axis. Without rotation or an image, any axes will
- * do. rotation      f'(s) = f(R^-1 s): a lobe at direction d moves to R d quantity      each
- * function says what it takes and gives: radiance L, irradiance E, or E/pi (what a white diffuse
- * surface sends out) angle         radians
+ *   axes          right-handed, z is the zonal axis. Without rotation or an image, any axes will do.
+ *   rotation      f'(s) = f(R^-1 s): a lobe at d moves to R d
+ *   quantity      each function says what it takes and gives: radiance L, irradiance E, or E/pi
+ *                 (what a white diffuse surface sends out)
+ *   angle         radians
  *
  * BATCHES
  *   item          probe, direction, light or object; `count` of them go in one call
  *   plane         one float per item. Coefficients of channels are planes channel * n^2 + i.
  *   gaunt_view    where the planes of a batch lie in memory: planar, interleaved, tiled, broadcast,
- * or any strides. All layouts give the same bits. Tiles of 16 items are the fastest.
+ *                 or any strides. All layouts give the same bits. Tiles of 16 are the fastest.
  *
  * ALL FUNCTIONS
  *   return GAUNT_OK or a negative status, and write nothing when they fail. They allocate nothing,
- * keep no state but the chosen SIMD target, and may be called from any thread. Arguments are
- * checked in constant time: null pointers, orders, layouts, ranges, overlap. With count 0 the views
- * may be NULL. A NaN or an infinity makes the outputs of its own item unspecified, never a
- * neighbour's, unless the entry says what it does with them. Nothing outside the described elements
- * is read or written, and no alignment beyond that of float is needed.
+ *   keep no state but the chosen SIMD target, and may be called from any thread. Arguments are
+ *   checked in constant time: null pointers, orders, layouts, ranges, overlap. With count 0 the
+ *   views may be NULL. A NaN or an infinity makes the outputs of its own item unspecified, never a
+ *   neighbour's, unless the entry says what it does with them. Nothing outside the described
+ *   elements is read or written, and no alignment beyond that of float is needed.
  *
  * OVERLAP
  *   An output may be the same view as an input only where the entry says "in place". Otherwise
- * views whose bytes may meet are refused, except fields of one record: views of equal item and tile
- * strides whose planes are disjoint inside one item (or inside one tile).
+ *   views whose bytes may meet are refused, except fields of one record: views of equal item and
+ *   tile strides whose planes are disjoint inside one item (or inside one tile).
  *
  * ACCURACY
  *   Stated figures are tested on every SIMD target against definitions in double precision. Targets
@@ -81,9 +82,8 @@ enum {
   GAUNT_OK = 0,
   GAUNT_ERROR_NULL = -1,    /**< a pointer that must not be NULL is */
   GAUNT_ERROR_ORDER = -2,   /**< an order that the function does not have */
-  GAUNT_ERROR_LAYOUT = -3,  /**< strides that are not multiples of 4, data that is not aligned to
-                                 float, an output whose elements overlap each other, or a broadcast
-                                 output */
+  GAUNT_ERROR_LAYOUT = -3,  /**< strides or data not aligned to float, an output whose elements
+                                 overlap each other, or a broadcast output */
   GAUNT_ERROR_RANGE = -4,   /**< a count, size or number out of its range */
   GAUNT_ERROR_OVERLAP = -5, /**< an output that may meet an input or another output */
   GAUNT_ERROR_FORMAT = -6,  /**< an unknown probe format or texel type */
@@ -115,8 +115,7 @@ GAUNT_API gaunt_status gaunt_target_select(const char* name);
 /**
  * Where the elements of a batch lie: plane p of item i is the float at
  *   data + (i / tile_items) * tile_stride + (i % tile_items) * item_stride + p * plane_stride
- * with strides in bytes, multiples of 4, possibly negative. tile_items 0: one tile holds
- * everything.
+ * with strides in bytes, multiples of 4, possibly negative. tile_items 0: one tile holds all.
  *
  *   planar (SoA)        item 4, plane any; see gaunt_plane_stride()
  *   interleaved (AoS)   item 4 * planes, plane 4
@@ -210,11 +209,12 @@ GAUNT_API gaunt_status gaunt_irradiance_evaluate(uint32_t n, uint32_t channels, 
 
 /**
  * Turns RGB radiance of order 3 into the 7 float4 that shaders evaluate E/pi from (the shape that
- * Unity and Unreal use). With out = A_r A_g A_b B_r B_g B_b C, each a float4, and a normal (x, y,
- * z): E/pi of channel c = dot(A_c, (x, y, z, 1)) + dot(B_c, (xy, yz, zz, zx)) + C_c (xx - yy) A =
- * (-C1 L3, -C1 L1, C1 L2, C0 L0 - C3 L6), B = (C2 L4, -C2 L5, 3 C3 L6, -C2 L7), C_c = C4 L8, C0 =
- * 1/(2 sqrt(pi)), C1 = sqrt(3)/(3 sqrt(pi)), C2 = sqrt(15)/(8 sqrt(pi)), C3 = sqrt(5)/(16
- * sqrt(pi)), C4 = C2/2         (Sloan 2008, appendix A10); the last float is 1
+ * Unity and Unreal use). With out = A_r A_g A_b B_r B_g B_b C, each a float4, and a normal
+ * (x, y, z):
+ *   E/pi of channel c = dot(A_c, (x, y, z, 1)) + dot(B_c, (xy, yz, zz, zx)) + C_c (xx - yy)
+ *   A = (-C1 L3, -C1 L1, C1 L2, C0 L0 - C3 L6),  B = (C2 L4, -C2 L5, 3 C3 L6, -C2 L7),  C_c = C4 L8
+ *   C0 = 1/(2 sqrt(pi)),  C1 = sqrt(3)/(3 sqrt(pi)),  C2 = sqrt(15)/(8 sqrt(pi)),
+ *   C3 = sqrt(5)/(16 sqrt(pi)),  C4 = C2/2   (Sloan 2008, appendix A10); the last float is 1
  *
  * n         order of the radiance; 3
  * count     probes or objects
@@ -262,8 +262,7 @@ typedef struct gaunt_image {
 } gaunt_image;
 
 enum {
-  /** Texels that are negative or not finite count as 0. Without it a NaN spreads to every output.
-   */
+  /** Texels that are negative or not finite count as 0. Without it a NaN spreads to all outputs. */
   GAUNT_PROJECT_CLAMP = 1
 };
 
@@ -287,9 +286,9 @@ typedef struct gaunt_project_options {
  * options   NULL for defaults
  * out       channels * n^2 planes of 1 item, in the quantity of the texels (radiance)
  *
- * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi. Sums are kept in
- * double. Overlap:   none is checked; the image must not be the output. Returns GAUNT_OK;
- * GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _FORMAT, _STRUCT.
+ * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi; sums are double.
+ * Overlap:   none is checked; the image must not be the output.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _FORMAT, _STRUCT.
  */
 GAUNT_API gaunt_status gaunt_project_equirect(uint32_t n, uint32_t channels,
                                               const gaunt_image* image,
@@ -320,7 +319,7 @@ GAUNT_API gaunt_status gaunt_rotate(uint32_t n, uint32_t channels, size_t count,
  * Rotates SH functions by 3x3 matrices, as gaunt_rotate() does by quaternions.
  *
  * matrices  9 planes, row-major: v' = R v. They must be orthonormal and are not checked; a matrix
- * that is off by e gives coefficients off by about 2 e. A determinant of -1 mirrors.
+ *           that is off by e gives coefficients off by about 2 e. A determinant of -1 mirrors.
  *
  * Accuracy:  |error| <= 2e-6 for coefficients in [-1, 1].
  */
@@ -344,8 +343,9 @@ GAUNT_API gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t
  * Where band 1 is below 1e-5 of band 0, zero, or not a number, the direction is (0, 0, 1).
  *
  * Accuracy:  |error| <= 4e-7 / r, with r = |band 1| / |band 0| of the weighted sum of magnitudes,
- * at most 1; components from 1e-37 to 1e37. Overlap:   none. Returns GAUNT_OK; GAUNT_ERROR_ORDER,
- * _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ *            at most 1; components from 1e-37 to 1e37.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
 GAUNT_API gaunt_status gaunt_light_direction(uint32_t n, uint32_t channels, size_t count,
                                              const gaunt_view* in, const float* weights,
@@ -379,7 +379,7 @@ enum {
  * Accuracy:  |error| <= 1e-6 of the norm of the channel's coefficients.
  * Overlap:   none.
  * Source:    Sloan 2008, appendix A5, for every order: colour = dot(light^, f^) / |light^|^2
- * without the means, ambient from what the means leave; ^ is the convolution with the cosine.
+ *            without the means, ambient from what the means leave; ^ convolves with the cosine.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
 GAUNT_API gaunt_status gaunt_light_extract(uint32_t n, uint32_t channels, uint32_t lights,
@@ -397,7 +397,7 @@ enum {
    *                27-31; value = mantissa * 2^(e - 24)
    *   bytes 4-11   q_1 .. q_8 of R, as int8; bytes 12-19 of G; bytes 20-27 of B
    *   L_i = L_0 bound_i q_i / 127, bound = sqrt(3) for i = 1..3, sqrt(5) for 6, sqrt(15)/2 for the
-   * rest: the largest ratios that any non-negative light has. -128 is never written.
+   *   rest: the largest ratios that any non-negative light has. -128 is never written.
    */
   GAUNT_FORMAT_SH3_28 = 1
 };
@@ -440,8 +440,9 @@ enum {
  * black.
  *
  * Accuracy:  means within half a unit of the mantissa of the largest channel; ratios within 0.5001
- * of a step. Overlap:   none between in, report and packed. Returns GAUNT_OK; GAUNT_ERROR_FORMAT,
- * _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ *            of a step.
+ * Overlap:   none between in, report and packed.
+ * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
 GAUNT_API gaunt_status gaunt_probe_encode(uint32_t format, size_t count, const gaunt_view* in,
                                           void* packed, size_t stride, const gaunt_view* report);
@@ -465,21 +466,23 @@ GAUNT_API gaunt_status gaunt_probe_decode(uint32_t format, size_t count, const v
 #define GAUNT_NO_PROBE UINT32_MAX
 
 /**
- * Decodes and blends packed probes: out(i) = sum over t of weights[i taps + t] probe(indices[i taps
- * + t]). Eight taps are the corners of a grid cell, four those of a tetrahedron.
+ * Decodes and blends packed probes:
+ *   out(i) = sum over t of weights[i taps + t] probe(indices[i taps + t])
+ * Eight taps are the corners of a grid cell, four those of a tetrahedron.
  *
  * format        GAUNT_FORMAT_*
  * n_out         order of the output, 1 .. the format's: higher bands are dropped
  * count         items
  * taps          probes per item, 1 .. 65536
  * indices       count * taps. One that is not below packed_count, such as GAUNT_NO_PROBE,
- * contributes nothing, whatever its weight. weights       count * taps. They are not renormalised.
+ *               contributes nothing, whatever its weight.
+ * weights       count * taps. They are not renormalised.
  * packed        packed_count records, `stride` bytes apart; may be NULL if packed_count is 0
  * out           channels of the format * n_out^2 planes: radiance
  *
- * Accuracy:  |error| <= 1e-6 of the sum of |weight| times the largest coefficient of the tap's
- * probe. Overlap:   none between out and the inputs. Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _ORDER,
- * _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ * Accuracy:  |error| <= 1e-6 of the sum of |weight| times the tap's largest coefficient.
+ * Overlap:   none between out and the inputs.
+ * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
 GAUNT_API gaunt_status gaunt_probe_gather(uint32_t format, uint32_t n_out, size_t count,
                                           uint32_t taps, const uint32_t* indices,

@@ -8,6 +8,8 @@
 
 namespace gaunt {
 
+// The highest order of families that go by recurrences: basis, evaluate, project.
+inline constexpr int kMaxOrder = 64;
 // Orders whose kernels are unrolled at compile time.
 inline constexpr int kMaxUnrolledOrder = 6;
 inline constexpr int kMaxChannels = 4;
