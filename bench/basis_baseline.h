@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The basis as a scalar loop over interleaved directions: the kernel's own factored polynomials,
-// one direction at a time, compiled like a user's code.
+// The basis in scalar code over interleaved directions, compiled like a user's code:
+// Factored is the kernel's own arithmetic, one direction at a time; Engine is what engines have, a
+// function for one direction with a polynomial for each coefficient.
 #ifndef GAUNT_BENCH_BASIS_BASELINE_H_
 #define GAUNT_BENCH_BASIS_BASELINE_H_
 
@@ -8,8 +9,10 @@
 
 namespace gaunt::bench {
 
-void BasisScalar3(size_t count, const float* directions, float* out);
-void BasisScalar6(size_t count, const float* directions, float* out);
+void BasisFactored3(size_t count, const float* directions, float* out);
+void BasisFactored6(size_t count, const float* directions, float* out);
+void BasisEngine3(size_t count, const float* directions, float* out);
+void BasisEngine6(size_t count, const float* directions, float* out);
 
 }  // namespace gaunt::bench
 

@@ -19,8 +19,10 @@ GAUNT_BENCHMARKS(basis) {
     batch.large = n == 3 || n == 6;
     RegisterBatch(batch);
   }
-  RegisterScalar({"basis/eval/n3", "scalar", 3, 9, BasisScalar3, MakeDirection});
-  RegisterScalar({"basis/eval/n6", "scalar", 3, 36, BasisScalar6, MakeDirection});
+  RegisterScalar({"basis/eval/n3", "factored", 3, 9, BasisFactored3, MakeDirection});
+  RegisterScalar({"basis/eval/n6", "factored", 3, 36, BasisFactored6, MakeDirection});
+  RegisterScalar({"basis/eval/n3", "engine", 3, 9, BasisEngine3, MakeDirection});
+  RegisterScalar({"basis/eval/n6", "engine", 3, 36, BasisEngine6, MakeDirection});
 }
 
 }  // namespace gaunt::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Kernels of the SH basis: normalised recurrences over bands for each |m|, unrolled at compile
-// time.
+// Kernels of the SH basis: normalised recurrences over bands for each |m|, unrolled at compile time
+// or as loops over tables.
 #if defined(GAUNT_BASIS_BASIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GAUNT_BASIS_BASIS_INL_H_
 #undef GAUNT_BASIS_BASIS_INL_H_
@@ -91,6 +91,99 @@ struct Eval {
   static GAUNT_LANES void Pair(V q, V c, V s, Out& out) {
     out(CoefficientIndex(l, m), Mul(q, c));
     out(CoefficientIndex(l, -m), Mul(q, s));
+  }
+};
+
+// y_lm of one direction for first <= |m| < last and |m| <= l < order, for any order. Columns go in
+// pairs: one recurrence alone would wait for its own results.
+struct EvalColumns {
+  int order;
+  int first;
+  int last;
+
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& direction, Out&& out) const {
+    using V = typename K::V;
+    const V x = direction(0), y = direction(1), z = direction(2);
+    int m = first;
+    if (m == 0) {
+      Zonal(k, z, out);
+      ++m;
+    }
+    if (m >= last) return;
+    // Re and Im of (x + i y)^m
+    V c = x, s = y;
+    for (int power = 1; power < m; ++power) Turn(x, y, c, s);
+    for (; m + 1 < last; m += 2) {
+      V next_c = c, next_s = s;
+      Turn(x, y, next_c, next_s);
+      Pair(k, m, z, c, s, next_c, next_s, out);
+      c = next_c, s = next_s;
+      Turn(x, y, c, s);
+    }
+    if (m < last) Single(k, m, z, c, s, out);
+  }
+
+ private:
+  template <class V>
+  static GAUNT_LANES void Turn(V x, V y, V& c, V& s) {
+    const V next_c = MulSub(x, c, Mul(y, s));
+    s = MulAdd(x, s, Mul(y, c));
+    c = next_c;
+  }
+
+  // q_l, which becomes `below`; the former `below` becomes `below2`.
+  template <class K, class V>
+  static GAUNT_LANES void Advance(const K& k, const Step& step, V z, V& below, V& below2) {
+    const V value = MulSub(Mul(k(step.forward), z), below, Mul(k(step.backward), below2));
+    below2 = below;
+    below = value;
+  }
+
+  template <class K, class V, class Out>
+  GAUNT_LANES void Zonal(const K& k, V z, Out& out) const {
+    V q = k(kColumns.sectoral[0]), below = k(0.0);
+    out(0, q);
+    for (int l = 1; l < order; ++l) {
+      Advance(k, kColumns.steps[l - 1], z, q, below);
+      out(static_cast<size_t>(CoefficientIndex(l, 0)), q);
+    }
+  }
+
+  template <class K, class V, class Out>
+  GAUNT_LANES void Single(const K& k, int m, V z, V c, V s, Out& out) const {
+    V q = k(kColumns.sectoral[m]), below = k(0.0);
+    const Step* step = kColumns.steps + ColumnBegin(m);
+    Emit(m, m, q, c, s, out);
+    for (int l = m + 1; l < order; ++l) {
+      Advance(k, *step++, z, q, below);
+      Emit(l, m, q, c, s, out);
+    }
+  }
+
+  // Columns m and m + 1.
+  template <class K, class V, class Out>
+  GAUNT_LANES void Pair(const K& k, int m, V z, V c0, V s0, V c1, V s1, Out& out) const {
+    V q0 = k(kColumns.sectoral[m]), below0 = k(0.0);
+    V q1 = k(kColumns.sectoral[m + 1]), below1 = k(0.0);
+    const Step* step0 = kColumns.steps + ColumnBegin(m);
+    const Step* step1 = kColumns.steps + ColumnBegin(m + 1);
+    Emit(m, m, q0, c0, s0, out);
+    Advance(k, *step0++, z, q0, below0);
+    Emit(m + 1, m, q0, c0, s0, out);
+    Emit(m + 1, m + 1, q1, c1, s1, out);
+    for (int l = m + 2; l < order; ++l) {
+      Advance(k, *step0++, z, q0, below0);
+      Advance(k, *step1++, z, q1, below1);
+      Emit(l, m, q0, c0, s0, out);
+      Emit(l, m + 1, q1, c1, s1, out);
+    }
+  }
+
+  template <class V, class Out>
+  static GAUNT_LANES void Emit(int l, int m, V q, V c, V s, Out& out) {
+    out(static_cast<size_t>(CoefficientIndex(l, m)), Mul(q, c));
+    out(static_cast<size_t>(CoefficientIndex(l, -m)), Mul(q, s));
   }
 };
 

@@ -5,6 +5,8 @@
 #ifndef GAUNT_BASIS_CONSTANTS_H_
 #define GAUNT_BASIS_CONSTANTS_H_
 
+#include "simd/order.h"
+
 namespace gaunt {
 
 inline constexpr double kPi = 3.14159265358979323846;
@@ -57,6 +59,36 @@ inline constexpr double kSecondSquare = Sectoral(m) * StepForward(m + 1, m) * St
 template <int m>
 inline constexpr double kSecondConstant = -Sectoral(m) * StepForward(m + 2, m) *
                                           StepBackward(m + 2, m);
+
+// The same for every column up to order 64, for loops: column m begins at ColumnBegin(m), with the
+// step to band m + 1.
+struct Step {
+  float forward;   // a_lm
+  float backward;  // a_lm b_lm, which is a_lm / a_{l-1,m}; 0 where q_{l-2} does not exist
+};
+constexpr int ColumnBegin(int m) { return m * (2 * kMaxOrder - 1 - m) / 2; }
+
+struct Columns {
+  float sectoral[kMaxOrder];
+  Step steps[ColumnBegin(kMaxOrder - 1) + 1];
+};
+constexpr Columns MakeColumns() {
+  Columns columns = {};
+  double sectoral = ConstexprSqrt(1.0 / (4.0 * kPi));
+  for (int m = 0; m < kMaxOrder; ++m) {
+    if (m > 0) sectoral *= -ConstexprSqrt((2.0 * m + 1.0) / (2.0 * m));
+    columns.sectoral[m] = static_cast<float>(m == 0 ? sectoral : sectoral * ConstexprSqrt(2.0));
+    double below = 0.0;
+    for (int l = m + 1; l < kMaxOrder; ++l) {
+      const double forward = StepForward(l, m);
+      columns.steps[ColumnBegin(m) + l - m - 1] = {
+          static_cast<float>(forward), static_cast<float>(below == 0.0 ? 0.0 : forward / below)};
+      below = forward;
+    }
+  }
+  return columns;
+}
+inline constexpr Columns kColumns = MakeColumns();
 
 }  // namespace basis
 }  // namespace gaunt
