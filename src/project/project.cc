@@ -59,7 +59,11 @@ class TexelTiles {
  public:
   TexelTiles(const simd::InView& row, size_t first, size_t columns, size_t channels, bool clamp)
       : channels_(channels), groups_((columns + hn::Lanes(LaneTag()) - 1) / hn::Lanes(LaneTag())) {
-    LoadTiles(row, ShapeOf(row, channels), first, columns, channels, tiles_);
+    const size_t lanes = hn::Lanes(LaneTag());
+    for (size_t g = 0; g < groups_; ++g) {
+      LoadTiles(row, ShapeOf(row, channels), first + g * lanes,
+                std::min(lanes, columns - g * lanes), channels, tiles_ + g * channels * kMaxLanes);
+    }
     if (!clamp) return;
     for (size_t t = 0; t < groups_ * channels; ++t) {
       float* const tile = tiles_ + t * kMaxLanes;

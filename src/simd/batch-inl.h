@@ -52,9 +52,19 @@ struct Cursor {
             first == 0 ? groups : groups - first % view.tile_items / lanes};
   }
 
-  // Stack tiles, `step` bytes apart; 0 stays at the same one, which is what a broadcast needs.
-  static Cursor Tiles(unsigned char* tile, ptrdiff_t step) {
-    return {tile, kTileStride, step, 0, 0, 0};
+  static Cursor Tiles(float* tile, size_t planes) {
+    const size_t groups = kTileItems / hn::Lanes(LaneTag());
+    return {reinterpret_cast<Byte*>(tile),
+            kTileStride,
+            kTileStride / static_cast<ptrdiff_t>(groups),
+            kTileStride * (static_cast<ptrdiff_t>(planes) - 1),
+            groups,
+            groups};
+  }
+
+  // The same group for ever, which is what a broadcast needs.
+  static Cursor Still(float* tile) {
+    return {reinterpret_cast<Byte*>(tile), kTileStride, 0, 0, 0, 0};
   }
 
   GAUNT_LANES Planes Here() const { return {data, plane_stride}; }
@@ -70,8 +80,8 @@ struct Cursor {
 using InCursor = Cursor<PlanesIn, const unsigned char>;
 using OutCursor = Cursor<PlanesOut, unsigned char>;
 
-// Groups that are converted at a time, where they fit on the stack.
-constexpr size_t TileGroups(size_t planes) {
+// Tiles that are converted at a time, where they fit on the stack.
+constexpr size_t NumTiles(size_t planes) {
   constexpr size_t kBudget = 5120;
   return std::clamp<size_t>(kBudget / (planes * kTileStride), 1, 8);
 }
@@ -81,10 +91,10 @@ template <class Cursor, class View>
 class Side {
  public:
   bool direct() const { return direct_; }
-  size_t groups() const { return groups_; }
+  size_t items() const { return items_; }
 
  protected:
-  Side(const View& view, size_t planes, size_t first, float* tile, size_t groups)
+  Side(const View& view, size_t planes, size_t first, float* tile, size_t items)
       : view_(view),
         planes_(planes),
         first_(first),
@@ -92,38 +102,33 @@ class Side {
         direct_(view.item_stride == sizeof(float) &&
                 (view.tile_items == 0 || view.tile_items % hn::Lanes(LaneTag()) == 0)),
         tile_(tile),
-        groups_(groups) {}
+        items_(items) {}
 
   // Whole groups are used where they lie; a tail never is.
   bool InPlace(size_t n) const { return direct_ && n % hn::Lanes(LaneTag()) == 0; }
-  Cursor Tiles(size_t step_planes) const {
-    return Cursor::Tiles(reinterpret_cast<unsigned char*>(tile_),
-                         static_cast<ptrdiff_t>(step_planes) * kTileStride);
-  }
-
   View view_;
   size_t planes_;
   size_t first_;
   RowShape shape_;
   bool direct_;
   float* tile_;
-  size_t groups_;
+  size_t items_;  // that the tiles hold
 };
 
 class InSide : public Side<InCursor, simd::InView> {
  public:
   HWY_NOINLINE InCursor Begin(size_t first, size_t n) {
-    if (splat_) return Tiles(0);
+    if (splat_) return InCursor::Still(tile_);
     if (InPlace(n)) return InCursor::At(view_, first_ + first);
     LoadTiles(view_, shape_, first_ + first, n, planes_, tile_);
-    return Tiles(planes_);
+    return InCursor::Tiles(tile_, planes_);
   }
   void End(size_t, size_t) {}
 
  protected:
   HWY_NOINLINE InSide(const simd::InView& view, size_t planes, size_t first, float* tile,
-                      size_t groups)
-      : Side(view, planes, first, tile, groups), splat_(view.IsBroadcast()) {
+                      size_t items)
+      : Side(view, planes, first, tile, items), splat_(view.IsBroadcast()) {
     if (!splat_) return;
     LoadTiles(view, RowShape::kOther, 0, 1, planes, tile);
     direct_ = true;
@@ -136,7 +141,7 @@ class InSide : public Side<InCursor, simd::InView> {
 class OutSide : public Side<OutCursor, simd::OutView> {
  public:
   HWY_NOINLINE OutCursor Begin(size_t first, size_t n) {
-    return InPlace(n) ? OutCursor::At(view_, first_ + first) : Tiles(planes_);
+    return InPlace(n) ? OutCursor::At(view_, first_ + first) : OutCursor::Tiles(tile_, planes_);
   }
   HWY_NOINLINE void End(size_t first, size_t n) {
     if (InPlace(n)) return;
@@ -145,30 +150,30 @@ class OutSide : public Side<OutCursor, simd::OutView> {
 
  protected:
   HWY_NOINLINE OutSide(const simd::OutView& view, size_t planes, size_t first, float* tile,
-                       size_t groups)
-      : Side(view, planes, first, tile, groups) {}
+                       size_t items)
+      : Side(view, planes, first, tile, items) {}
 };
 
 // Storage of a side whose items have at most kPlanes planes; the batch begins at item `first`, a
 // multiple of the lanes where whole groups follow.
 template <size_t kPlanes>
 struct TileStorage {
-  static constexpr size_t kGroups = TileGroups(kPlanes);
-  HWY_ALIGN float tile[kGroups * kPlanes * kMaxLanes];
+  static constexpr size_t kItems = NumTiles(kPlanes) * kTileItems;
+  HWY_ALIGN float tile[kItems * kPlanes];
 };
 
 template <size_t kPlanes>
 class In : private TileStorage<kPlanes>, public InSide {
  public:
   explicit In(const simd::InView& view, size_t planes = kPlanes, size_t first = 0)
-      : InSide(view, planes, first, this->tile, TileStorage<kPlanes>::kGroups) {}
+      : InSide(view, planes, first, this->tile, TileStorage<kPlanes>::kItems) {}
 };
 
 template <size_t kPlanes>
 class Out : private TileStorage<kPlanes>, public OutSide {
  public:
   explicit Out(const simd::OutView& view, size_t planes = kPlanes, size_t first = 0)
-      : OutSide(view, planes, first, this->tile, TileStorage<kPlanes>::kGroups) {}
+      : OutSide(view, planes, first, this->tile, TileStorage<kPlanes>::kItems) {}
 };
 
 template <class K, class Kernel, class... Cursors>
@@ -191,7 +196,7 @@ HWY_NOINLINE void RunGroups(const Kernel& kernel, size_t groups, const Cursors&.
 template <class K, class Kernel, class... Sides>
 HWY_NOINLINE void RunBatch(size_t count, const Kernel& kernel, Sides&... sides) {
   const size_t lanes = hn::Lanes(LaneTag());
-  const size_t most = (sides.direct() && ...) ? count : std::min({sides.groups()...}) * lanes;
+  const size_t most = (sides.direct() && ...) ? count : std::min({sides.items()...});
   for (size_t done = 0, n; done < count; done += n) {
     // Whole groups, then the tail: a side that is used in place must see whole groups.
     const size_t left = count - done;
