@@ -42,7 +42,7 @@ RowShape ShapeOf(const View& view, size_t planes) {
   const bool one_run = view.tile_items == 0 || view.tile_items % hn::Lanes(LaneTag()) == 0;
   if (!GAUNT_TRANSPOSES || view.plane_stride != 4 || !one_run) return RowShape::kOther;
 #if GAUNT_WIDE_TRANSPOSES
-  if (view.item_stride == static_cast<ptrdiff_t>(planes * sizeof(float))) {
+  if (view.tile_items == 0 && view.item_stride == static_cast<ptrdiff_t>(planes * sizeof(float))) {
     if (planes == 3) return RowShape::kPacked3;
     if (planes == 9) return RowShape::kPacked9;
   }
@@ -87,39 +87,72 @@ GAUNT_LANES void StoreRows(const float* HWY_RESTRICT tile, unsigned char* row,
   }
 }
 
-GAUNT_LANES void LoadGroup(RowShape shape, const unsigned char* row, ptrdiff_t item_stride,
-                           size_t planes, float* HWY_RESTRICT tile) {
 #if GAUNT_WIDE_TRANSPOSES
-  const float* rows = reinterpret_cast<const float*>(row);
-  if (shape == RowShape::kPacked3) return OddRows<3>().Load(rows, tile, kTileItems);
-  if (shape == RowShape::kPacked9) return OddRows<9>().Load(rows, tile, kTileItems);
-#endif
-  if (shape == RowShape::kTriples) {
-    if (item_stride == 3 * sizeof(float)) {
-      return LoadBlock<3, 4>(LaneTag(), row, item_stride, tile, kTileItems);
-    }
-    return LoadBlock<3>(LaneTag(), row, item_stride, tile, kTileItems);
+
+// Groups of items back to back.
+template <int kRow>
+GAUNT_LANES void LoadPacked(const float* HWY_RESTRICT rows, size_t items,
+                            float* HWY_RESTRICT tile) {
+  constexpr size_t kLanes = hn::MaxLanes(LaneTag());
+  for (size_t i = 0; i < items; i += kLanes) {
+    OddRows<kRow>().Load(rows + i * kRow, InTiles(tile, kRow, i), kTileItems);
   }
-  LoadRows(row, item_stride, planes, tile);
 }
 
-GAUNT_LANES void StoreGroup(RowShape shape, const float* HWY_RESTRICT tile, unsigned char* row,
-                            ptrdiff_t item_stride, size_t planes) {
-#if GAUNT_WIDE_TRANSPOSES
-  float* rows = reinterpret_cast<float*>(row);
-  if (shape == RowShape::kPacked3) return OddRows<3>().Store(tile, kTileItems, rows);
-  if (shape == RowShape::kPacked9) return OddRows<9>().Store(tile, kTileItems, rows);
-#endif
-  if (shape == RowShape::kTriples) {
-    return StoreBlock<3>(LaneTag(), tile, kTileItems, row, item_stride);
+template <int kRow>
+GAUNT_LANES void StorePacked(const float* HWY_RESTRICT tile, size_t items,
+                             float* HWY_RESTRICT rows) {
+  constexpr size_t kLanes = hn::MaxLanes(LaneTag());
+  for (size_t i = 0; i < items; i += kLanes) {
+    OddRows<kRow>().Store(InTiles(tile, kRow, i), kTileItems, rows + i * kRow);
   }
-  StoreRows(tile, row, item_stride, planes);
+}
+
+#endif
+
+// Whole groups of items first .. first + n, in a shape that has a fast conversion.
+GAUNT_LANES void LoadGroups(const simd::InView& view, RowShape shape, size_t first, size_t n,
+                            size_t planes, float* HWY_RESTRICT tile) {
+#if GAUNT_WIDE_TRANSPOSES
+  const float* rows = reinterpret_cast<const float*>(view.Item(first));
+  if (shape == RowShape::kPacked3) return LoadPacked<3>(rows, n, tile);
+  if (shape == RowShape::kPacked9) return LoadPacked<9>(rows, n, tile);
+#endif
+  for (size_t i = 0; i < n; i += hn::MaxLanes(LaneTag())) {
+    const unsigned char* row = view.Item(first + i);
+    float* const group = InTiles(tile, planes, i);
+    if (shape == RowShape::kRows) {
+      LoadRows(row, view.item_stride, planes, group);
+    } else if (view.item_stride == 3 * sizeof(float)) {
+      LoadBlock<3, 4>(LaneTag(), row, view.item_stride, group, kTileItems);
+    } else {
+      LoadBlock<3>(LaneTag(), row, view.item_stride, group, kTileItems);
+    }
+  }
+}
+
+GAUNT_LANES void StoreGroups(const float* HWY_RESTRICT tile, const simd::OutView& view,
+                             RowShape shape, size_t first, size_t n, size_t planes) {
+#if GAUNT_WIDE_TRANSPOSES
+  float* rows = reinterpret_cast<float*>(view.Item(first));
+  if (shape == RowShape::kPacked3) return StorePacked<3>(tile, n, rows);
+  if (shape == RowShape::kPacked9) return StorePacked<9>(tile, n, rows);
+#endif
+  for (size_t i = 0; i < n; i += hn::MaxLanes(LaneTag())) {
+    unsigned char* row = view.Item(first + i);
+    const float* const group = InTiles(tile, planes, i);
+    if (shape == RowShape::kRows) {
+      StoreRows(group, row, view.item_stride, planes);
+    } else {
+      StoreBlock<3>(LaneTag(), group, kTileItems, row, view.item_stride);
+    }
+  }
 }
 
 #else
 
-inline void LoadGroup(RowShape, const unsigned char*, ptrdiff_t, size_t, float*) {}
-inline void StoreGroup(RowShape, const float*, unsigned char*, ptrdiff_t, size_t) {}
+inline void LoadGroups(const simd::InView&, RowShape, size_t, size_t, size_t, float*) {}
+inline void StoreGroups(const float*, const simd::OutView&, RowShape, size_t, size_t, size_t) {}
 
 #endif
 
@@ -128,10 +161,8 @@ inline void StoreGroup(RowShape, const float*, unsigned char*, ptrdiff_t, size_t
 inline HWY_NOINLINE void LoadTiles(const simd::InView& view, RowShape shape, size_t first, size_t n,
                                    size_t planes, float* HWY_RESTRICT tile) {
   const size_t lanes = hn::Lanes(LaneTag());
-  size_t i = 0;
-  for (; shape != RowShape::kOther && i + lanes <= n; i += lanes) {
-    LoadGroup(shape, view.Item(first + i), view.item_stride, planes, InTiles(tile, planes, i));
-  }
+  size_t i = shape == RowShape::kOther ? 0 : n / lanes * lanes;
+  if (i != 0) LoadGroups(view, shape, first, i, planes, tile);
   for (; i < n; i += lanes) {
     float* const group = InTiles(tile, planes, i);
     for (size_t lane = 0; lane < lanes; ++lane) {
@@ -147,10 +178,8 @@ inline HWY_NOINLINE void LoadTiles(const simd::InView& view, RowShape shape, siz
 inline HWY_NOINLINE void StoreTiles(const float* HWY_RESTRICT tile, const simd::OutView& view,
                                     RowShape shape, size_t first, size_t n, size_t planes) {
   const size_t lanes = hn::Lanes(LaneTag());
-  size_t i = 0;
-  for (; shape != RowShape::kOther && i + lanes <= n; i += lanes) {
-    StoreGroup(shape, InTiles(tile, planes, i), view.Item(first + i), view.item_stride, planes);
-  }
+  size_t i = shape == RowShape::kOther ? 0 : n / lanes * lanes;
+  if (i != 0) StoreGroups(tile, view, shape, first, i, planes);
   for (; i < n; ++i) {
     const float* const from = InTiles(tile, planes, i);
     unsigned char* item = view.Item(first + i);
