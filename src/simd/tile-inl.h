@@ -190,6 +190,52 @@ inline HWY_NOINLINE void StoreTiles(const float* HWY_RESTRICT tile, const simd::
   }
 }
 
+// Packed rows have at most so many planes where they are put together on the stack.
+inline constexpr size_t kMaxPackedPlanes = 128;
+
+// Whether whole tiles of a batch can be written by stores that pass the caches by: planes or packed
+// rows that begin on cache lines.
+inline bool CanStream(const simd::OutView& view, size_t first, size_t planes) {
+  constexpr ptrdiff_t kLine = kTileStride;
+  if (!HWY_ARCH_X86 || reinterpret_cast<intptr_t>(view.Item(first)) % kLine != 0) return false;
+  if (view.item_stride == sizeof(float)) {
+    return view.plane_stride % kLine == 0 && first % kTileItems == 0 &&
+           view.tile_items % kTileItems == 0 && view.tile_stride % kLine == 0;
+  }
+  return view.tile_items == 0 && planes <= kMaxPackedPlanes &&
+         view.item_stride == static_cast<ptrdiff_t>(planes * sizeof(float)) &&
+         ShapeOf(view, planes) != RowShape::kOther;
+}
+
+GAUNT_LANES void StreamLine(const float* HWY_RESTRICT from, unsigned char* to) {
+  const LaneTag d;
+  for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
+    hn::Stream(hn::Load(d, from + i), d, reinterpret_cast<float*>(to) + i);
+  }
+}
+
+// StoreTiles for a batch that CanStream, of whole tiles. Lines are written whole and in the order of
+// their addresses: anything else is slower than ordinary stores.
+inline HWY_NOINLINE void StreamTiles(const float* HWY_RESTRICT tile, const simd::OutView& view,
+                                     RowShape shape, size_t first, size_t n, size_t planes) {
+  HWY_ALIGN float rows[kTileItems * kMaxPackedPlanes];
+  for (size_t i = 0; i < n; i += kTileItems, tile += planes * kTileItems) {
+    unsigned char* const to = view.Item(first + i);
+    const float* lines = tile;
+    ptrdiff_t stride = view.plane_stride;
+    if (view.item_stride != sizeof(float)) {
+      const simd::OutView packed = {reinterpret_cast<unsigned char*>(rows), view.item_stride,
+                                    view.plane_stride, 0, 0};
+      StoreTiles(tile, packed, shape, 0, kTileItems, planes);
+      lines = rows;
+      stride = kTileStride;
+    }
+    for (size_t p = 0; p < planes; ++p) {
+      StreamLine(lines + p * kTileItems, to + static_cast<ptrdiff_t>(p) * stride);
+    }
+  }
+}
+
 }  // namespace gaunt::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
