@@ -17,8 +17,9 @@
 //   quantity    coefficients are those of radiance; "irradiance" in a name means that the result is
 //               E/pi: times the albedo it is what a diffuse surface sends out
 //   negative    truncated SH can be below 0: clamp what must be a colour
-//   accuracy    1e-6 of the norm of a channel's coefficients, in 32-bit floats; decoding gives the
-//               bits of gaunt_probe_decode(). A NaN or an infinity may give anything.
+//   accuracy    1e-6 of the norm of a channel's coefficients, where 32-bit floats are rounded as in
+//               IEEE 754; decoding gives exactly the values of gaunt_probe_decode(). Tested on Mesa's
+//               software renderer. A NaN or an infinity may give anything.
 #ifndef GAUNT_HLSL
 #define GAUNT_HLSL
 
@@ -137,10 +138,10 @@ float3 gaunt_irradiance(float4 k[7], float3 n) {
 }
 
 // E/pi of one channel from its symmetric matrix, (n, 1)^T m (n, 1), with
-//   m = | C     B.x/2  B.w/2  A.x/2 |    A, B, C as in gaunt_irradiance_constants()
-//       | B.x/2  -C    B.y/2  A.y/2 |
-//       | B.w/2 B.y/2   B.z   A.z/2 |
-//       | A.x/2 A.y/2  A.z/2   A.w  |
+//   m = |   C    B.x/2  B.w/2  A.x/2 |    A, B, C of the channel, as in
+//       | B.x/2   -C    B.y/2  A.y/2 |    gaunt_irradiance_constants()
+//       | B.w/2  B.y/2   B.z   A.z/2 |
+//       | A.x/2  A.y/2  A.z/2   A.w  |
 // Source: Ramamoorthi and Hanrahan 2001, there for E and without the sign of Condon and Shortley.
 float gaunt_irradiance_matrix(float4x4 m, float3 n) {
   float4 v = float4(n, 1.0);
@@ -154,7 +155,7 @@ float gaunt_irradiance_matrix(float4x4 m, float3 n) {
 // Source: Roughton, Sloan, Silvennoinen, Iwanicki and Shirley 2024.
 
 // The unit vector along (-L_3, -L_1, L_2), the optimal linear direction of band 1 of one channel
-// (Sloan 2008), given as band = (L_1, L_2, L_3). Zero if the band is.
+// (Sloan 2008), given as band = (L_1, L_2, L_3). Zero if the band is, or below 1e-30.
 float3 gaunt_zh3_direction(float3 band) {
   float3 v = float3(-band.z, -band.x, band.y);
   float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -227,8 +228,8 @@ float gaunt_signed_byte(uint word, int k) {
   return float(int(word << uint(24 - 8 * k)) >> 24);
 }
 
-// GAUNT_FORMAT_SH3_28 to radiance of order 3, with the bits of gaunt_probe_decode(). words are the
-// 28 bytes as little-endian uints:
+// GAUNT_FORMAT_SH3_28 to radiance of order 3, as gaunt_probe_decode() does. words are the 28
+// bytes as little-endian uints:
 //   word 0      RGB9E5 of L_0: mantissas in bits 0-8, 9-17, 18-26, exponent e in bits 27-31;
 //               value = mantissa 2^(e - 24)
 //   words 1, 2  q_1 .. q_8 of red as signed bytes; words 3, 4 of green; words 5, 6 of blue;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# GLSL has no #include: writes SOURCE to OUTPUT with a #version line in front and gaunt.glsl in place
-# of the line that includes it. Run with -DVERSION= -DSOURCE= -DHEADER= -DOUTPUT=.
+# GLSL has no #include: writes SOURCE to OUTPUT with a #version line in front and gaunt.glsl in the
+# place of the line that includes it. Run with -DVERSION= -DSOURCE= -DHEADER= -DOUTPUT=.
 file(READ ${SOURCE} source)
 file(READ ${HEADER} header)
 string(REPLACE "#include \"gaunt/gaunt.glsl\"\n" "${header}" spliced "${source}")

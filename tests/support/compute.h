@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compute shaders without a window or a GPU: OpenGL ES 3.1 through EGL, on Mesa's software renderer.
+// Compute shaders without a window or a GPU: OpenGL ES 3.1 on Mesa's software renderer.
 #ifndef GAUNT_TESTS_SUPPORT_COMPUTE_H_
 #define GAUNT_TESTS_SUPPORT_COMPUTE_H_
 
@@ -20,8 +20,8 @@ class Compute {
   // Who draws, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& renderer() const { return renderer_; }
 
-  // Runs a compute shader (GLSL ES 3.10) over work groups in one dimension, with `in` as the storage
-  // buffer of binding 0 and `out` as that of binding 1. Returns what went wrong, or nothing.
+  // Runs a compute shader (GLSL ES 3.10) over work groups in one dimension. The storage buffer of
+  // binding 0 holds `in`, that of binding 1 `out`. Returns what went wrong, or nothing.
   std::string Run(const std::string& source, size_t groups, const void* in, size_t in_bytes,
                   void* out, size_t out_bytes) const;
 
