@@ -18,8 +18,8 @@
 //               E/pi: times the albedo it is what a diffuse surface sends out
 //   negative    truncated SH can be below 0: clamp what must be a colour
 //   accuracy    1e-6 of the norm of a channel's coefficients, where 32-bit floats are rounded as in
-//               IEEE 754; decoding gives exactly the values of gaunt_probe_decode(). Tested on Mesa's
-//               software renderer. A NaN or an infinity may give anything.
+//               IEEE 754; decoding gives exactly the values of gaunt_probe_decode(). Tested on
+//               Mesa's software renderer. A NaN or an infinity may give anything.
 #ifndef GAUNT_HLSL
 #define GAUNT_HLSL
 
