@@ -60,3 +60,5 @@ if(GAUNT_BENCH)
   add_test(NAME Bench COMMAND gaunt_bench --benchmark_min_time=0.001
     --benchmark_filter=/1000/|frame/2000_objects_2048)
 endif()
+
+include(cmake/shader_test.cmake)

@@ -209,8 +209,8 @@ GAUNT_API gaunt_status gaunt_irradiance_evaluate(uint32_t n, uint32_t channels, 
 
 /**
  * Turns RGB radiance of order 3 into the 7 float4 that shaders evaluate E/pi from (the shape that
- * Unity and Unreal use). With out = A_r A_g A_b B_r B_g B_b C, each a float4, and a normal
- * (x, y, z):
+ * Unity and Unreal use), by gaunt_irradiance() of gaunt.glsl and gaunt.hlsl. With
+ * out = A_r A_g A_b B_r B_g B_b C, each a float4, and a normal (x, y, z):
  *   E/pi of channel c = dot(A_c, (x, y, z, 1)) + dot(B_c, (xy, yz, zz, zx)) + C_c (xx - yy)
  *   A = (-C1 L3, -C1 L1, C1 L2, C0 L0 - C3 L6),  B = (C2 L4, -C2 L5, 3 C3 L6, -C2 L7),  C_c = C4 L8
  *   C0 = 1/(2 sqrt(pi)),  C1 = sqrt(3)/(3 sqrt(pi)),  C2 = sqrt(15)/(8 sqrt(pi)),
