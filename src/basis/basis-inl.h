@@ -17,80 +17,91 @@ namespace gaunt::basis::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// y_lm of one direction for all l < n:
+// (x + i y)(c + i s)
+template <class V>
+GAUNT_LANES void Turn(V x, V y, V& c, V& s) {
+  const V next_c = MulSub(x, c, Mul(y, s));
+  s = MulAdd(x, s, Mul(y, c));
+  c = next_c;
+}
+
+// Weights::Band(l) y_lm of one direction for all bands l < n whose weight is not zero:
 //   y_l^m = q_l^m(z) c_m(x, y),   y_l^-m = q_l^m(z) s_m(x, y),
 // where c_m + i s_m = (-1)^m sqrt2 (x + i y)^m and q_l^m is the associated Legendre function
 // without its sin^m, times the norm. q is kept scaled so that the first row of each column is one
-// constant.
-template <int n>
+// constant. The first three rows of a column are closed forms: their constants take up the weight,
+// unless further rows go on from them.
+template <int n, class Weights = UnitBands>
 struct Eval {
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& direction, Out&& out) const {
     using V = typename K::V;
-    const V z = direction(2);
+    const V x = direction(0), y = direction(1), z = direction(2);
     V z2 = z;
-    if constexpr (n > 2) z2 = Mul(z, z);
-    out(0, k(kSectoral<0>));
-    if constexpr (n > 1) {
-      Zonal<1>(k, z, z2, k(kSectoral<0>), k(kSectoral<0>), out);
-      const V x = direction(0), y = direction(1);
-      Column<1>(k, x, y, z, z2, x, y, out);
-    }
+    if constexpr (Wanted(2)) z2 = Mul(z, z);
+    Column<0>(k, x, y, z, z2, x, y, out);
   }
 
  private:
-  // Bands l.. of m = 0, from the two bands below.
-  template <int l, class K, class V, class Out>
-  static GAUNT_LANES void Zonal(const K& k, V z, V z2, V below, V below2, Out& out) {
-    V value;
-    if constexpr (l == 1) {
-      value = Mul(k(kFirst<0>), z);
-    } else if constexpr (l == 2) {
-      value = MulAdd(k(kSecondSquare<0>), z2, k(kSecondConstant<0>));
-    } else {
-      value = Step<l, 0>(k, z, below, below2);
+  static constexpr double Weight(int l) { return l < n ? Weights::Band(l) : 0.0; }
+  // Whether band `from` or one above it is.
+  static constexpr bool Wanted(int from) {
+    for (int l = from; l < n; ++l) {
+      if (Weight(l) != 0.0) return true;
     }
-    out(CoefficientIndex(l, 0), value);
-    if constexpr (l + 1 < n) Zonal<l + 1>(k, z, z2, value, below, out);
+    return false;
   }
 
-  // Bands m.. of +-m; c and s are Re and Im of (x + i y)^m.
+  // Bands m.. of +-m; c and s are Re and Im of (x + i y)^m, for m > 0.
   template <int m, class K, class V, class Out>
   static GAUNT_LANES void Column(const K& k, V x, V y, V z, V z2, V c, V s, Out& out) {
-    out(CoefficientIndex(m, m), Mul(k(kSectoral<m>), c));
-    out(CoefficientIndex(m, -m), Mul(k(kSectoral<m>), s));
-    if constexpr (m + 1 < n) {
-      const V first = Mul(k(kFirst<m>), z);
-      Pair<m + 1, m>(first, c, s, out);
-      if constexpr (m + 2 < n) {
-        const V second = MulAdd(k(kSecondSquare<m>), z2, k(kSecondConstant<m>));
-        Pair<m + 2, m>(second, c, s, out);
-        if constexpr (m + 3 < n) Bands<m + 3, m>(k, z, second, first, c, s, out);
+    constexpr bool kGoesOn = Wanted(m + 3);
+    constexpr double kFirstWeight = kGoesOn ? 1.0 : Weight(m + 1);
+    constexpr double kSecondWeight = kGoesOn ? 1.0 : Weight(m + 2);
+    constexpr double kConstant = Weight(m) * kSectoral<m>;
+    if constexpr (kConstant != 0.0) Emit<m, m>(k(kConstant), c, s, out);
+    if constexpr (kFirstWeight != 0.0 && Wanted(m + 1)) {
+      constexpr double kLinear = kFirstWeight * kFirst<m>;
+      const V first = Mul(k(kLinear), z);
+      Row<m + 1, m, kGoesOn>(k, first, c, s, out);
+      if constexpr (kSecondWeight != 0.0 && Wanted(m + 2)) {
+        constexpr double kSquare = kSecondWeight * kSecondSquare<m>;
+        constexpr double kOffset = kSecondWeight * kSecondConstant<m>;
+        const V second = MulAdd(k(kSquare), z2, k(kOffset));
+        Row<m + 2, m, kGoesOn>(k, second, c, s, out);
+        if constexpr (kGoesOn) Bands<m + 3, m>(k, z, second, first, c, s, out);
       }
-      // (x + i y)^(m+1)
-      const V next_c = MulSub(x, c, Mul(y, s));
-      const V next_s = MulAdd(x, s, Mul(y, c));
-      Column<m + 1>(k, x, y, z, z2, next_c, next_s, out);
     }
-  }
-
-  template <int l, int m, class K, class V, class Out>
-  static GAUNT_LANES void Bands(const K& k, V z, V below, V below2, V c, V s, Out& out) {
-    const V value = Step<l, m>(k, z, below, below2);
-    Pair<l, m>(value, c, s, out);
-    if constexpr (l + 1 < n) Bands<l + 1, m>(k, z, value, below, c, s, out);
+    if constexpr (Wanted(m + 1)) {
+      if constexpr (m > 0) Turn(x, y, c, s);
+      Column<m + 1>(k, x, y, z, z2, c, s, out);
+    }
   }
 
   // q_l = a (z q_{l-1} - b q_{l-2})
-  template <int l, int m, class K, class V>
-  static GAUNT_LANES V Step(const K& k, V z, V below, V below2) {
-    return MulSub(Mul(k(kStep<l, m>), z), below, Mul(k(kStepBack<l, m>), below2));
+  template <int l, int m, class K, class V, class Out>
+  static GAUNT_LANES void Bands(const K& k, V z, V below, V below2, V c, V s, Out& out) {
+    const V value = MulSub(Mul(k(kStep<l, m>), z), below, Mul(k(kStepBack<l, m>), below2));
+    Row<l, m, true>(k, value, c, s, out);
+    if constexpr (Wanted(l + 1)) Bands<l + 1, m>(k, z, value, below, c, s, out);
+  }
+
+  // A row that still has to be weighed, or has been.
+  template <int l, int m, bool kWeigh, class K, class V, class Out>
+  static GAUNT_LANES void Row(const K& k, V q, V c, V s, Out& out) {
+    constexpr double kWeight = Weight(l);
+    if constexpr (kWeigh && kWeight != 1.0 && kWeight != 0.0) q = Mul(k(kWeight), q);
+    if constexpr (kWeight != 0.0) Emit<l, m>(q, c, s, out);
   }
 
   template <int l, int m, class V, class Out>
-  static GAUNT_LANES void Pair(V q, V c, V s, Out& out) {
-    out(CoefficientIndex(l, m), Mul(q, c));
-    out(CoefficientIndex(l, -m), Mul(q, s));
+  static GAUNT_LANES void Emit(V q, V c, V s, Out& out) {
+    if constexpr (m == 0) {
+      out(CoefficientIndex(l, 0), q);
+    } else {
+      out(CoefficientIndex(l, m), Mul(q, c));
+      out(CoefficientIndex(l, -m), Mul(q, s));
+    }
   }
 };
 
@@ -125,38 +136,31 @@ struct EvalColumns {
   }
 
  private:
-  template <class V>
-  static GAUNT_LANES void Turn(V x, V y, V& c, V& s) {
-    const V next_c = MulSub(x, c, Mul(y, s));
-    s = MulAdd(x, s, Mul(y, c));
-    c = next_c;
-  }
-
-  // q_l, which becomes `below`; the former `below` becomes `below2`.
+  // Turns q_{l-1}^m into q_l^m, and q_{l-2} into q_{l-1}.
   template <class K, class V>
-  static GAUNT_LANES void Advance(const K& k, const Step& step, V z, V& below, V& below2) {
-    const V value = MulSub(Mul(k(step.forward), z), below, Mul(k(step.backward), below2));
-    below2 = below;
-    below = value;
+  static GAUNT_LANES void Advance(const K& k, int l, int m, V z, V& q, V& below) {
+    const Step& step = kBands.steps[StepIndex(l, m)];
+    const V next = MulSub(Mul(k(step.forward), z), q, Mul(k(step.backward), below));
+    below = q;
+    q = next;
   }
 
   template <class K, class V, class Out>
   GAUNT_LANES void Zonal(const K& k, V z, Out& out) const {
-    V q = k(kColumns.sectoral[0]), below = k(0.0);
+    V q = k(kBands.sectoral[0]), below = k(0.0);
     out(0, q);
     for (int l = 1; l < order; ++l) {
-      Advance(k, kColumns.steps[l - 1], z, q, below);
+      Advance(k, l, 0, z, q, below);
       out(static_cast<size_t>(CoefficientIndex(l, 0)), q);
     }
   }
 
   template <class K, class V, class Out>
   GAUNT_LANES void Single(const K& k, int m, V z, V c, V s, Out& out) const {
-    V q = k(kColumns.sectoral[m]), below = k(0.0);
-    const Step* step = kColumns.steps + ColumnBegin(m);
+    V q = k(kBands.sectoral[m]), below = k(0.0);
     Emit(m, m, q, c, s, out);
     for (int l = m + 1; l < order; ++l) {
-      Advance(k, *step++, z, q, below);
+      Advance(k, l, m, z, q, below);
       Emit(l, m, q, c, s, out);
     }
   }
@@ -164,17 +168,15 @@ struct EvalColumns {
   // Columns m and m + 1.
   template <class K, class V, class Out>
   GAUNT_LANES void Pair(const K& k, int m, V z, V c0, V s0, V c1, V s1, Out& out) const {
-    V q0 = k(kColumns.sectoral[m]), below0 = k(0.0);
-    V q1 = k(kColumns.sectoral[m + 1]), below1 = k(0.0);
-    const Step* step0 = kColumns.steps + ColumnBegin(m);
-    const Step* step1 = kColumns.steps + ColumnBegin(m + 1);
+    V q0 = k(kBands.sectoral[m]), below0 = k(0.0);
+    V q1 = k(kBands.sectoral[m + 1]), below1 = k(0.0);
     Emit(m, m, q0, c0, s0, out);
-    Advance(k, *step0++, z, q0, below0);
+    Advance(k, m + 1, m, z, q0, below0);
     Emit(m + 1, m, q0, c0, s0, out);
     Emit(m + 1, m + 1, q1, c1, s1, out);
     for (int l = m + 2; l < order; ++l) {
-      Advance(k, *step0++, z, q0, below0);
-      Advance(k, *step1++, z, q1, below1);
+      Advance(k, l, m, z, q0, below0);
+      Advance(k, l, m + 1, z, q1, below1);
       Emit(l, m, q0, c0, s0, out);
       Emit(l, m + 1, q1, c1, s1, out);
     }
@@ -184,6 +186,146 @@ struct EvalColumns {
   static GAUNT_LANES void Emit(int l, int m, V q, V c, V s, Out& out) {
     out(static_cast<size_t>(CoefficientIndex(l, m)), Mul(q, c));
     out(static_cast<size_t>(CoefficientIndex(l, -m)), Mul(q, s));
+  }
+};
+
+// Where EvalBand keeps y_lm of band l and of the band before: a band takes the place of the one two
+// below it, and lies in the order of its planes, m = -l .. l.
+constexpr size_t StateIndex(int l, int m) {
+  return static_cast<size_t>(l % 2 * (2 * kMaxOrder - 1) + kMaxOrder - 1 + m);
+}
+inline constexpr int kStatePlanes = 2 * (2 * kMaxOrder - 1);
+
+// y_lm of one direction for one band, which follows from the two bands below:
+//   y_l^m = a_lm (z y_{l-1}^m - b_lm y_{l-2}^m),   y_l^+-l from (x + i y) y_{l-1}^+-(l-1).
+// Writes the band to the state and, plane m + l, to `out`.
+struct EvalBand {
+  int l;
+
+  template <class K, class In, class StateIn, class StateOut, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& direction, const StateIn& before,
+                              const StateOut& state, const Out& out) const {
+    using V = typename K::V;
+    if (l == 0) return Set(state, out, 0, k(kBands.sectoral[0]));
+    const V z = direction(2);
+    if (l > 1) Set(state, out, 0, Next(k, 0, 0, z, before));
+    for (int m = 1; m + 1 < l; ++m) {
+      Set(state, out, m, Next(k, m, m, z, before));
+      Set(state, out, -m, Next(k, m, -m, z, before));
+    }
+    const V forward = Mul(k(kBands.steps[StepIndex(l, l - 1)].forward), z);
+    V c = before(StateIndex(l - 1, l - 1)), s = before(StateIndex(l - 1, 1 - l));
+    Set(state, out, l - 1, Mul(forward, c));
+    const V x = direction(0), y = direction(1);
+    if (l == 1) {
+      const V sectoral = k(kBands.sectoral[1]);
+      Set(state, out, 1, Mul(sectoral, x));
+      Set(state, out, -1, Mul(sectoral, y));
+      return;
+    }
+    Set(state, out, 1 - l, Mul(forward, s));
+    Turn(x, y, c, s);
+    const V promotion = k(kBands.promotion[l]);
+    Set(state, out, l, Mul(promotion, c));
+    Set(state, out, -l, Mul(promotion, s));
+  }
+
+ private:
+  template <class StateOut, class Out, class V>
+  GAUNT_LANES void Set(const StateOut& state, const Out& out, int m, V v) const {
+    state(StateIndex(l, m), v);
+    out(static_cast<size_t>(l + m), v);
+  }
+
+  // y_l of column `column` = |m|, from two bands that have it.
+  template <class K, class StateIn, class V>
+  GAUNT_LANES V Next(const K& k, int column, int m, V z, const StateIn& before) const {
+    const Step& step = kBands.steps[StepIndex(l, column)];
+    return MulSub(Mul(k(step.forward), z), before(StateIndex(l - 1, m)),
+                  Mul(k(step.backward), before(StateIndex(l, m))));
+  }
+};
+
+// Gradient on the sphere of a band's planes first <= m < last, from the band itself. With the
+// generators of rotation G = d x grad, which mix neighbours in m, the part of grad y along the
+// sphere is G y x d: nothing is divided, so the poles are like any other point.
+struct GradientBand {
+  int l;
+  int first;
+  int last;
+
+  // Plane m - first of dx, dy and dz.
+  template <class K, class In, class State, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& direction, const State& state, const Out& dx,
+                              const Out& dy, const Out& dz) const {
+    using V = typename K::V;
+    const V x = direction(0), y = direction(1), z = direction(2);
+    for (int m = first; m < last; ++m) {
+      V gx, gy, gz;
+      Generators(k, state, m, gx, gy, gz);
+      const size_t plane = static_cast<size_t>(m - first);
+      dx(plane, MulSub(gy, z, Mul(gz, y)));
+      dy(plane, MulSub(gz, x, Mul(gx, z)));
+      dz(plane, MulSub(gx, y, Mul(gy, x)));
+    }
+  }
+
+ private:
+  template <class K, class State, class V>
+  GAUNT_LANES void Generators(const K& k, const State& state, int m, V& gx, V& gy, V& gz) const {
+    const int a = m < 0 ? -m : m;
+    if (m == 0) {
+      gx = Mix(k, state, 0, false, -1.0);
+      gy = Mix(k, state, 0, true, 1.0);
+      gz = k(0.0);
+    } else if (m > 0) {
+      gx = Neg(Mix(k, state, a, false, 1.0));
+      gy = Mix(k, state, a, true, -1.0);
+      gz = Mul(k(-a), state(StateIndex(l, -a)));
+    } else {
+      gx = Mix(k, state, a, true, 1.0);
+      gy = Mix(k, state, a, false, -1.0);
+      gz = Mul(k(a), state(StateIndex(l, a)));
+    }
+  }
+
+  // Planes a + 1 and, times `sign`, a - 1, of cosines or of sines, by the ladder's factors. Column 0
+  // lacks a factor of sqrt2, and has no sine; for a = 0 both neighbours are one.
+  template <class K, class State>
+  GAUNT_LANES typename K::V Mix(const K& k, const State& state, int a, bool cosine,
+                                double sign) const {
+    using V = typename K::V;
+    constexpr double kRoot2 = ConstexprSqrt(2.0);
+    const int side = cosine ? 1 : -1;
+    if (l == 0) return k(0.0);
+    if (a == 0) {
+      return Mul(k(sign * kRoot2 * kBands.ladder[StepIndex(l, 0)]), state(StateIndex(l, side)));
+    }
+    const bool has_up = a<l, has_down = a> 1 || cosine;
+    V mix = k(0.0);
+    if (has_down) {
+      const double factor = (a == 1 ? kRoot2 : 1.0) * kBands.ladder[StepIndex(l, a - 1)];
+      mix = Mul(k(sign * factor), state(StateIndex(l, side * (a - 1))));
+    }
+    if (!has_up) return mix;
+    return MulAdd(k(kBands.ladder[StepIndex(l, a)]), state(StateIndex(l, side * (a + 1))), mix);
+  }
+};
+
+// d / |d|, or (0, 0, 1) where d is zero or not finite. Scaled by the largest component first, so that
+// nothing overflows or underflows on the way.
+struct Normalize {
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
+    using V = typename K::V;
+    const V scale = Max(Max(Abs(in(0)), Abs(in(1))), Abs(in(2)));
+    const V x = Div(in(0), scale), y = Div(in(1), scale), z = Div(in(2), scale);
+    const V squared = MulAdd(x, x, MulAdd(y, y, Mul(z, z)));
+    const V inverse = Div(k(1.0), Sqrt(squared));
+    const auto valid = Gt(squared, k(0.5));  // else it is not a number
+    out(0, IfThenElseZero(valid, Mul(x, inverse)));
+    out(1, IfThenElseZero(valid, Mul(y, inverse)));
+    out(2, IfThenElse(valid, Mul(z, inverse), k(1.0)));
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The SH basis in many directions.
+// The SH basis in many directions, its gradient, and directions of unit length.
 #ifndef GAUNT_BASIS_BASIS_H_
 #define GAUNT_BASIS_BASIS_H_
 
@@ -8,10 +8,19 @@
 
 namespace gaunt::basis {
 
+// Orders whose kernels are unrolled: beyond, loops over tables are as fast.
+inline constexpr int kMaxUnrolled = 10;
+
 using EvalFn = void (*)(size_t count, const simd::InView& directions, const simd::OutView& out);
 
 struct Table {
-  EvalFn eval[kMaxUnrolledOrder + 1];  // [order]: 3 planes to order^2
+  EvalFn eval[kMaxUnrolled + 1];  // [order]: 3 planes to order^2
+  void (*eval_any)(int order, size_t count, const simd::InView& directions,
+                   const simd::OutView& out);
+  // order^2 planes of each component of the gradient on the sphere
+  void (*gradient)(int order, size_t count, const simd::InView& directions, const simd::OutView& dx,
+                   const simd::OutView& dy, const simd::OutView& dz);
+  void (*normalize)(size_t count, const simd::InView& in, const simd::OutView& out);
 };
 
 const Table& Kernels();

@@ -26,12 +26,18 @@ constexpr double ConstexprSqrt(double x) {
 
 namespace basis {
 
+// Weights of bands: none.
+struct UnitBands {
+  static constexpr double Band(int) { return 1.0; }
+};
+
 // y_m^m = kSectoral<m> Re (x + i y)^m, y_m^-m = kSectoral<m> Im (x + i y)^m: the sign (-1)^m of the
 // Condon-Shortley phase, sqrt(2) for m > 0, and K_m^m (2m-1)!!.
 constexpr double Sectoral(int m) {
-  double value = ConstexprSqrt(1.0 / (4.0 * kPi));
-  for (int i = 1; i <= m; ++i) value *= -ConstexprSqrt((2.0 * i + 1.0) / (2.0 * i));
-  return m == 0 ? value : value * ConstexprSqrt(2.0);
+  double squared = 1.0 / (4.0 * kPi);
+  for (int i = 1; i <= m; ++i) squared *= (2.0 * i + 1.0) / (2.0 * i);
+  const double value = ConstexprSqrt(m == 0 ? squared : 2.0 * squared);
+  return m % 2 == 0 ? value : -value;
 }
 
 // q_l^m = a_lm z q_{l-1}^m - a_lm b_lm q_{l-2}^m
@@ -60,35 +66,39 @@ template <int m>
 inline constexpr double kSecondConstant = -Sectoral(m) * StepForward(m + 2, m) *
                                           StepBackward(m + 2, m);
 
-// The same for every column up to order 64, for loops: column m begins at ColumnBegin(m), with the
-// step to band m + 1.
+// The same for every band up to order 64, for loops: the step to band l of column m < l is
+// steps[StepIndex(l, m)].
 struct Step {
   float forward;   // a_lm
   float backward;  // a_lm b_lm, which is a_lm / a_{l-1,m}; 0 where q_{l-2} does not exist
 };
-constexpr int ColumnBegin(int m) { return m * (2 * kMaxOrder - 1 - m) / 2; }
+constexpr int StepIndex(int l, int m) { return l * (l - 1) / 2 + m; }
 
-struct Columns {
-  float sectoral[kMaxOrder];
-  Step steps[ColumnBegin(kMaxOrder - 1) + 1];
+struct Bands {
+  float sectoral[kMaxOrder];   // kSectoral
+  float promotion[kMaxOrder];  // [m]: kSectoral<m> / kSectoral<m - 1>, from m = 2
+  Step steps[StepIndex(kMaxOrder, 0)];
+  float ladder[StepIndex(kMaxOrder, 0)];  // sqrt((l - m) (l + m + 1)) / 2, between m and m + 1
 };
-constexpr Columns MakeColumns() {
-  Columns columns = {};
-  double sectoral = ConstexprSqrt(1.0 / (4.0 * kPi));
-  for (int m = 0; m < kMaxOrder; ++m) {
-    if (m > 0) sectoral *= -ConstexprSqrt((2.0 * m + 1.0) / (2.0 * m));
-    columns.sectoral[m] = static_cast<float>(m == 0 ? sectoral : sectoral * ConstexprSqrt(2.0));
-    double below = 0.0;
-    for (int l = m + 1; l < kMaxOrder; ++l) {
+constexpr Bands MakeBands() {
+  Bands bands = {};
+  double forward_below[kMaxOrder] = {};
+  for (int l = 0; l < kMaxOrder; ++l) {
+    bands.sectoral[l] = static_cast<float>(Sectoral(l));
+    bands.promotion[l] =
+        static_cast<float>(l == 0 ? 0.0 : -ConstexprSqrt((2.0 * l + 1.0) / (2.0 * l)));
+    for (int m = 0; m < l; ++m) {
       const double forward = StepForward(l, m);
-      columns.steps[ColumnBegin(m) + l - m - 1] = {
-          static_cast<float>(forward), static_cast<float>(below == 0.0 ? 0.0 : forward / below)};
-      below = forward;
+      const double backward = m + 1 < l ? forward / forward_below[m] : 0.0;
+      bands.steps[StepIndex(l, m)] = {static_cast<float>(forward), static_cast<float>(backward)};
+      bands.ladder[StepIndex(l, m)] =
+          static_cast<float>(0.5 * ConstexprSqrt((l - m) * (l + m + 1.0)));
+      forward_below[m] = forward;
     }
   }
-  return columns;
+  return bands;
 }
-inline constexpr Columns kColumns = MakeColumns();
+inline constexpr Bands kBands = MakeBands();
 
 }  // namespace basis
 }  // namespace gaunt

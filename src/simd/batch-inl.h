@@ -91,7 +91,10 @@ constexpr size_t NumTiles(size_t planes) {
 // Outputs from this size up are streamed past the caches where they can be. Measured: up to the size
 // of the last-level cache (32 MiB there) ordinary stores are faster, beyond it they take twice the
 // time, since every line is read before it is written.
-inline constexpr size_t kStreamBytes = size_t{32} << 20;
+constexpr bool WorthStreaming(size_t count, size_t planes) {
+  constexpr size_t kBytes = size_t{32} << 20;
+  return count >= kBytes / (planes * sizeof(float));
+}
 
 // One view of a batch, and the stack tiles that stand in for it where it cannot be used in place.
 template <class Cursor, class View>
@@ -151,8 +154,7 @@ class InSide : public Side<InCursor, simd::InView> {
 class OutSide : public Side<OutCursor, simd::OutView> {
  public:
   void Expect(size_t count) {
-    if (count * planes_ * sizeof(float) < kStreamBytes) return;
-    streams_ = CanStream(view_, first_, planes_);
+    streams_ = WorthStreaming(count, planes_) && CanStream(view_, first_, planes_);
     if (streams_) direct_ = false;
   }
   HWY_NOINLINE OutCursor Begin(size_t first, size_t n) {

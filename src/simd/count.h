@@ -94,6 +94,11 @@ struct OperationRow {
 };
 using OperationRows = std::vector<OperationRow>;
 
+// Orders to count where there is a loop for every one.
+inline std::vector<int> CountedOrders() {
+  return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 24, 32, 48, 64};
+}
+
 // Rows of every family, each from its own <family>_count.cc.
 OperationRows AllOperations();
 
