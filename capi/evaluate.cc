@@ -10,10 +10,8 @@ using gaunt::capi::OutputOf;
 
 namespace {
 
-// Planes of a blend do not depend on each other, so no kernel limits the order.
-constexpr uint32_t kMaxBlendOrder = 64;
-
-gaunt_status Evaluate(const gaunt::evaluate::EvaluateFn* kernels, uint32_t n, uint32_t channels,
+gaunt_status Evaluate(const gaunt::evaluate::EvaluateFn* unrolled,
+                      gaunt::evaluate::EvaluateAnyFn any, uint32_t n, uint32_t channels,
                       size_t count, const gaunt_view* coefficients, const gaunt_view* directions,
                       const gaunt_view* out) {
   GAUNT_REQUIRE(InRange(n, 1, GAUNT_MAX_ORDER), GAUNT_ERROR_ORDER);
@@ -24,8 +22,13 @@ gaunt_status Evaluate(const gaunt::evaluate::EvaluateFn* kernels, uint32_t n, ui
                   .Out(out, channels)
                   .status());
   if (count == 0) return GAUNT_OK;
-  kernels[n](channels, count, InputOf(*coefficients, count), InputOf(*directions, count),
-             OutputOf(*out, count));
+  if (n <= gaunt::kMaxUnrolledOrder) {
+    unrolled[n](channels, count, InputOf(*coefficients, count), InputOf(*directions, count),
+                OutputOf(*out, count));
+  } else {
+    any(static_cast<int>(n), channels, count, InputOf(*coefficients, count),
+        InputOf(*directions, count), OutputOf(*out, count));
+  }
   return GAUNT_OK;
 }
 
@@ -36,13 +39,15 @@ extern "C" {
 gaunt_status gaunt_sh_evaluate(uint32_t n, uint32_t channels, size_t count,
                                const gaunt_view* coefficients, const gaunt_view* directions,
                                const gaunt_view* out) {
-  return Evaluate(gaunt::evaluate::Kernels().sh, n, channels, count, coefficients, directions, out);
+  const gaunt::evaluate::Table& kernels = gaunt::evaluate::Kernels();
+  return Evaluate(kernels.sh, kernels.sh_any, n, channels, count, coefficients, directions, out);
 }
 
 gaunt_status gaunt_irradiance_evaluate(uint32_t n, uint32_t channels, size_t count,
                                        const gaunt_view* radiance, const gaunt_view* normals,
                                        const gaunt_view* out) {
-  return Evaluate(gaunt::evaluate::Kernels().irradiance, n, channels, count, radiance, normals,
+  const gaunt::evaluate::Table& kernels = gaunt::evaluate::Kernels();
+  return Evaluate(kernels.irradiance, kernels.irradiance_any, n, channels, count, radiance, normals,
                   out);
 }
 
@@ -58,9 +63,35 @@ gaunt_status gaunt_irradiance_constants(uint32_t n, size_t count, const gaunt_vi
   return GAUNT_OK;
 }
 
+gaunt_status gaunt_irradiance_matrix(uint32_t n, uint32_t channels, size_t count,
+                                     const gaunt_view* radiance, const gaunt_view* out) {
+  GAUNT_REQUIRE(n == 3, GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
+  GAUNT_CHECK(MemoryCheck(count)
+                  .In(radiance, channels * n * n)
+                  .Out(out, channels * gaunt::evaluate::kMatrixPlanes)
+                  .status());
+  if (count == 0) return GAUNT_OK;
+  gaunt::evaluate::Kernels().matrix(channels, count, InputOf(*radiance, count),
+                                    OutputOf(*out, count));
+  return GAUNT_OK;
+}
+
+gaunt_status gaunt_sh_dot(uint32_t n, uint32_t channels, size_t count, const gaunt_view* a,
+                          const gaunt_view* b, const gaunt_view* out) {
+  GAUNT_REQUIRE(InRange(n, 1, GAUNT_MAX_ORDER), GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
+  const size_t planes = channels * n * n;
+  GAUNT_CHECK(MemoryCheck(count).In(a, planes).In(b, planes).Out(out, channels).status());
+  if (count == 0) return GAUNT_OK;
+  gaunt::evaluate::Kernels().dot(n * n, channels, count, InputOf(*a, count), InputOf(*b, count),
+                                 OutputOf(*out, count));
+  return GAUNT_OK;
+}
+
 gaunt_status gaunt_sh_blend(uint32_t n, uint32_t channels, size_t count, const gaunt_view* a,
                             const gaunt_view* b, const gaunt_view* t, const gaunt_view* out) {
-  GAUNT_REQUIRE(InRange(n, 1, kMaxBlendOrder), GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(InRange(n, 1, GAUNT_MAX_ORDER), GAUNT_ERROR_ORDER);
   GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
   const size_t planes = channels * n * n;
   GAUNT_CHECK(

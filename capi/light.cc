@@ -14,7 +14,7 @@ extern "C" {
 gaunt_status gaunt_light_direction(uint32_t n, uint32_t channels, size_t count,
                                    const gaunt_view* in, const float* weights,
                                    const gaunt_view* directions) {
-  GAUNT_REQUIRE(InRange(n, 2, GAUNT_MAX_ORDER), GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(InRange(n, 2, GAUNT_MAX_LIGHT_ORDER), GAUNT_ERROR_ORDER);
   GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
   GAUNT_CHECK(MemoryCheck(count).In(in, channels * n * n).Out(directions, 3).status());
   if (count == 0) return GAUNT_OK;
@@ -34,7 +34,7 @@ gaunt_status gaunt_light_direction(uint32_t n, uint32_t channels, size_t count,
 gaunt_status gaunt_light_extract(uint32_t n, uint32_t channels, uint32_t lights, uint32_t sense,
                                  size_t count, const gaunt_view* in, const gaunt_view* directions,
                                  const gaunt_view* colours, const gaunt_view* ambient) {
-  GAUNT_REQUIRE(InRange(n, 2, GAUNT_MAX_ORDER), GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(InRange(n, 2, GAUNT_MAX_LIGHT_ORDER), GAUNT_ERROR_ORDER);
   GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
   GAUNT_REQUIRE(lights == 1, GAUNT_ERROR_RANGE);
   GAUNT_REQUIRE(sense <= GAUNT_SENSE_IRRADIANCE, GAUNT_ERROR_RANGE);

@@ -34,7 +34,7 @@ extern "C" gaunt_status gaunt_project_equirect(uint32_t n, uint32_t channels,
                                                const gaunt_image* image,
                                                const gaunt_project_options* options,
                                                const gaunt_view* out) {
-  GAUNT_REQUIRE(InRange(n, 1, GAUNT_MAX_ORDER), GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(InRange(n, 1, gaunt::kMaxUnrolledOrder), GAUNT_ERROR_ORDER);
   GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
   GAUNT_CHECK(CheckImage(image, channels));
   uint32_t flags = 0;
@@ -47,7 +47,7 @@ extern "C" gaunt_status gaunt_project_equirect(uint32_t n, uint32_t channels,
   const size_t planes = channels * n * n;
   GAUNT_CHECK(MemoryCheck(1).Out(out, planes).status());
 
-  double sums[GAUNT_MAX_CHANNELS * GAUNT_MAX_ORDER * GAUNT_MAX_ORDER] = {};
+  double sums[GAUNT_MAX_CHANNELS * 36] = {};
   const gaunt::project::Image pixels = {static_cast<const unsigned char*>(image->pixels),
                                         image->width, image->height, image->pixel_stride,
                                         image->row_stride};

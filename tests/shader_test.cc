@@ -428,17 +428,18 @@ TEST_P(ShaderText, ConstantsAreTheLibrarys) {
     return values[i];
   };
   const double diagonal = std::sqrt(0.5);
+  using Irradiance = evaluate::QuadraticConstants<evaluate::IrradianceBands>;
   const std::map<std::string, double> library = {
       {"Y0", basis(0, 0, 0, 1)},
       {"Y1", basis(2, 0, 0, 1)},
       {"Y2", basis(4, diagonal, diagonal, 0) * 2.0},
       {"Y20", basis(6, 0, 0, 1) / 2.0},
       {"Y22", basis(8, 1, 0, 0)},
-      {"C0", evaluate::kC0},
-      {"C1", evaluate::kC1},
-      {"C2", evaluate::kC2},
-      {"C3", evaluate::kC3},
-      {"C4", evaluate::kC4},
+      {"C0", Irradiance::kMean},
+      {"C1", Irradiance::kLinear},
+      {"C2", Irradiance::kProduct},
+      {"C3", -Irradiance::kOffset},
+      {"C4", Irradiance::kDifference},
       {"COSINE_2", evaluate::CosineBand(2)},
       {"MAX_RATIO", probe::Sh3::Bound(1)},
       {"LUMINANCE_R", light::kLuminance[0]},

@@ -70,8 +70,10 @@ extern "C" {
 #define GAUNT_VERSION \
   (GAUNT_VERSION_MAJOR * 10000 + GAUNT_VERSION_MINOR * 100 + GAUNT_VERSION_PATCH)
 
-/** Highest order of the basis, of evaluation and of projection in this version. */
-#define GAUNT_MAX_ORDER 6
+/** Highest order of the basis, of evaluation, projection and conversion. */
+#define GAUNT_MAX_ORDER 64
+/** Highest order of light extraction in this version. */
+#define GAUNT_MAX_LIGHT_ORDER 6
 /** Highest order of rotation in this version. */
 #define GAUNT_MAX_ROTATE_ORDER 3
 #define GAUNT_MAX_CHANNELS 4
@@ -164,15 +166,51 @@ GAUNT_API gaunt_status gaunt_view_broadcast(float* data, gaunt_view* view);
  * n           order, 1 .. GAUNT_MAX_ORDER
  * count       directions
  * directions  3 planes x, y, z; unit vectors. They are taken as given: a length of 1 + e adds an
- *             error of about 14 |e| at order 6.
+ *             error of about 2 |e| at order 3, 14 |e| at order 6 and 184 |e| at order 16. See
+ *             gaunt_directions_normalize().
  * out         n^2 planes
  *
- * Accuracy:  |error| <= 1.2e-6 at order 6 (4e-7 at order 3) for directions of length 1 within 1e-7.
+ * Accuracy:  against the direction normalised in double, |error| <= 4e-7 up to order 3, 1.2e-6 up to
+ *            order 6, and 2e-8 (l+1)^2.5 in band l above, for lengths of 1 within 1e-7.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
  */
 GAUNT_API gaunt_status gaunt_basis_eval(uint32_t n, size_t count, const gaunt_view* directions,
                                         const gaunt_view* out);
+
+/**
+ * Gradient of the SH basis on the sphere, in Cartesian components:
+ *   (d_dx, d_dy, d_dz)(i, l(l+1)+m) = grad of y_lm(v / |v|) with respect to v, at v = directions(i).
+ * It is orthogonal to the direction and finite everywhere, the poles included.
+ *
+ * n                 order, 1 .. GAUNT_MAX_ORDER
+ * count             directions
+ * directions        3 planes, unit vectors, taken as given
+ * d_dx, d_dy, d_dz  n^2 planes each
+ *
+ * Accuracy:  |error| <= 3e-8 (l+1)^3.5 in band l, for lengths of 1 within 1e-7.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_basis_gradient(uint32_t n, size_t count, const gaunt_view* directions,
+                                            const gaunt_view* d_dx, const gaunt_view* d_dy,
+                                            const gaunt_view* d_dz);
+
+/**
+ * Normalises vectors: out(i) = in(i) / |in(i)|. Vectors of any length will do, from the smallest
+ * denormal to the largest float. A vector that is zero or has a component that is not finite
+ * becomes (0, 0, 1).
+ *
+ * count  vectors
+ * in     3 planes
+ * out    3 planes
+ *
+ * Accuracy:  |error| of a component <= 1.8e-7.
+ * Overlap:   in place.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_directions_normalize(size_t count, const gaunt_view* in,
+                                                  const gaunt_view* out);
 
 /* ---- evaluate -------------------------------------------------------------------------------- */
 
@@ -186,7 +224,11 @@ GAUNT_API gaunt_status gaunt_basis_eval(uint32_t n, size_t count, const gaunt_vi
  * directions    3 planes, unit vectors
  * out           `channels` planes, in the quantity of the coefficients
  *
- * Accuracy:  |error| <= 2e-6 |f| at order 6, with |f| the norm of the channel's coefficients.
+ * One function of order 3 in many directions is found as a polynomial, many functions in one
+ * direction as products with one basis: both are faster than pairs, and round differently.
+ *
+ * Accuracy:  |error| <= 2e-6 |f| up to order 6 and 1e-8 n^3 |f| above, with |f| the norm of the
+ *            channel's coefficients, for directions of length 1 within 1e-7.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -197,7 +239,8 @@ GAUNT_API gaunt_status gaunt_sh_evaluate(uint32_t n, uint32_t channels, size_t c
 /**
  * Evaluates the irradiance of radiance coefficients, as E/pi:
  *   out(i, c) = sum over lm of (A_l / pi) L_lm,c(i) y_lm(normals(i)),
- *   A_l / pi = 1, 2/3, 1/4, 0, -1/24, 0 ...   (Ramamoorthi and Hanrahan 2001)
+ *   A_l / pi = 1, 2/3, 1/4, 0, -1/24, 0, 1/64 ...   (Ramamoorthi and Hanrahan 2001)
+ * Bands whose factor is 0 are left out: order 3 costs as much as order 4, order 5 as order 6.
  *
  * Arguments, overlap and status as for gaunt_sh_evaluate().
  *
@@ -230,9 +273,49 @@ GAUNT_API gaunt_status gaunt_irradiance_constants(uint32_t n, size_t count,
                                                   const gaunt_view* out);
 
 /**
+ * Turns radiance of order 3 into the quadratic form that gives E/pi (Ramamoorthi and Hanrahan 2001,
+ * who give E in axes and signs of their own): with a normal (x, y, z) and v = (x, y, z, 1),
+ *   E/pi of channel c = v^T M_c v,
+ *       |  C      B0/2   B3/2   A0/2 |
+ *   M = |  B0/2  -C      B1/2   A1/2 |   with A, B, C of gaunt_irradiance_constants()
+ *       |  B3/2   B1/2   B2     A2/2 |
+ *       |  A0/2   A1/2   A2/2   A3   |
+ *
+ * n         order of the radiance; 3
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     probes or objects
+ * radiance  channels * 9 planes
+ * out       channels * 16 planes, row by row; interleaved, each channel is a float4x4
+ *
+ * Accuracy:  |error| of an entry <= 1e-7 of the channel's largest coefficient.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_irradiance_matrix(uint32_t n, uint32_t channels, size_t count,
+                                               const gaunt_view* radiance, const gaunt_view* out);
+
+/**
+ * Dot products of coefficients, which are integrals over the sphere of products of functions:
+ *   out(i, c) = sum over lm of a_lm,c(i) b_lm,c(i)
+ *
+ * n         order, 1 .. GAUNT_MAX_ORDER
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     pairs; broadcast either for one with many
+ * a, b      channels * n^2 planes
+ * out       `channels` planes
+ *
+ * Accuracy:  |error| <= 6e-8 (2 + n^2 / 4) of the sum of |a_lm b_lm|, at most.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_sh_dot(uint32_t n, uint32_t channels, size_t count,
+                                    const gaunt_view* a, const gaunt_view* b,
+                                    const gaunt_view* out);
+
+/**
  * Blends coefficients: out = (1 - t) a + t b, exactly a at t = 0 and exactly b at t = 1.
  *
- * n         order, 1 .. 64: the planes are independent of each other
+ * n         order, 1 .. GAUNT_MAX_ORDER
  * channels  1 .. GAUNT_MAX_CHANNELS
  * count     items
  * a, b      channels * n^2 planes
@@ -333,7 +416,7 @@ GAUNT_API gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t
  * Finds the direction of the dominant light: the optimal linear direction (-f_3, -f_1, f_2) / |.|
  * of the channels' weighted sum (Sloan 2008). It points towards the light.
  *
- * n           order of the coefficients, 2 .. GAUNT_MAX_ORDER; only bands 0 and 1 are read
+ * n           order of the coefficients, 2 .. GAUNT_MAX_LIGHT_ORDER; only bands 0 and 1 are read
  * channels    1 .. GAUNT_MAX_CHANNELS
  * count       items
  * in          channels * n^2 planes, radiance or irradiance
@@ -364,7 +447,7 @@ enum {
  * Colours are at least 0: a light that would be negative is left out; if the ambient light would be
  * negative, it is left out and the colour is fitted alone.
  *
- * n           order, 2 .. GAUNT_MAX_ORDER
+ * n           order, 2 .. GAUNT_MAX_LIGHT_ORDER
  * channels    1 .. GAUNT_MAX_CHANNELS
  * lights      1 in this version
  * sense       GAUNT_SENSE_*

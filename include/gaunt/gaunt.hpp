@@ -78,6 +78,17 @@ inline void BasisEval(uint32_t n, size_t count, const InView& directions, const 
   detail::Check("gaunt_basis_eval", gaunt_basis_eval(n, count, directions.get(), out.get()));
 }
 
+inline void BasisGradient(uint32_t n, size_t count, const InView& directions, const OutView& d_dx,
+                          const OutView& d_dy, const OutView& d_dz) {
+  detail::Check("gaunt_basis_gradient", gaunt_basis_gradient(n, count, directions.get(), d_dx.get(),
+                                                             d_dy.get(), d_dz.get()));
+}
+
+inline void DirectionsNormalize(size_t count, const InView& in, const OutView& out) {
+  detail::Check("gaunt_directions_normalize",
+                gaunt_directions_normalize(count, in.get(), out.get()));
+}
+
 inline void ShEvaluate(uint32_t n, uint32_t channels, size_t count, const InView& coefficients,
                        const InView& directions, const OutView& out) {
   detail::Check("gaunt_sh_evaluate", gaunt_sh_evaluate(n, channels, count, coefficients.get(),
@@ -95,6 +106,17 @@ inline void IrradianceConstants(uint32_t n, size_t count, const InView& radiance
                                 const OutView& out) {
   detail::Check("gaunt_irradiance_constants",
                 gaunt_irradiance_constants(n, count, radiance.get(), out.get()));
+}
+
+inline void IrradianceMatrix(uint32_t n, uint32_t channels, size_t count, const InView& radiance,
+                             const OutView& out) {
+  detail::Check("gaunt_irradiance_matrix",
+                gaunt_irradiance_matrix(n, channels, count, radiance.get(), out.get()));
+}
+
+inline void ShDot(uint32_t n, uint32_t channels, size_t count, const InView& a, const InView& b,
+                  const OutView& out) {
+  detail::Check("gaunt_sh_dot", gaunt_sh_dot(n, channels, count, a.get(), b.get(), out.get()));
 }
 
 inline void ShBlend(uint32_t n, uint32_t channels, size_t count, const InView& a, const InView& b,

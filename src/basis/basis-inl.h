@@ -60,18 +60,19 @@ struct Eval {
     constexpr double kSecondWeight = kGoesOn ? 1.0 : Weight(m + 2);
     constexpr double kConstant = Weight(m) * kSectoral<m>;
     if constexpr (kConstant != 0.0) Emit<m, m>(k(kConstant), c, s, out);
+    V first = z, second = z2;
     if constexpr (kFirstWeight != 0.0 && Wanted(m + 1)) {
       constexpr double kLinear = kFirstWeight * kFirst<m>;
-      const V first = Mul(k(kLinear), z);
+      first = Mul(k(kLinear), z);
       Row<m + 1, m, kGoesOn>(k, first, c, s, out);
-      if constexpr (kSecondWeight != 0.0 && Wanted(m + 2)) {
-        constexpr double kSquare = kSecondWeight * kSecondSquare<m>;
-        constexpr double kOffset = kSecondWeight * kSecondConstant<m>;
-        const V second = MulAdd(k(kSquare), z2, k(kOffset));
-        Row<m + 2, m, kGoesOn>(k, second, c, s, out);
-        if constexpr (kGoesOn) Bands<m + 3, m>(k, z, second, first, c, s, out);
-      }
     }
+    if constexpr (kSecondWeight != 0.0 && Wanted(m + 2)) {
+      constexpr double kSquare = kSecondWeight * kSecondSquare<m>;
+      constexpr double kOffset = kSecondWeight * kSecondConstant<m>;
+      second = MulAdd(k(kSquare), z2, k(kOffset));
+      Row<m + 2, m, kGoesOn>(k, second, c, s, out);
+    }
+    if constexpr (kGoesOn) Bands<m + 3, m>(k, z, second, first, c, s, out);
     if constexpr (Wanted(m + 1)) {
       if constexpr (m > 0) Turn(x, y, c, s);
       Column<m + 1>(k, x, y, z, z2, c, s, out);

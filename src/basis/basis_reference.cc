@@ -2,6 +2,7 @@
 #include "basis/basis_reference.h"
 
 #include <cmath>
+#include <vector>
 
 namespace gaunt::basis {
 
@@ -32,6 +33,26 @@ void EvalReference(int order, const double direction[3], double* y) {
       }
       y[l * (l + 1) + m] = value * c;
       y[l * (l + 1) - m] = value * s;
+    }
+  }
+}
+
+// Central differences of eighth order over a step that band `order` varies little in.
+void GradientReference(int order, const double direction[3], double* gradient) {
+  const size_t n = static_cast<size_t>(order * order);
+  const double step = 0.04 / order;
+  const double weights[4] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
+  std::vector<double> ahead(n), behind(n);
+  for (size_t axis = 0; axis < 3; ++axis) {
+    double* const out = gradient + axis * n;
+    for (size_t i = 0; i < n; ++i) out[i] = 0.0;
+    for (int k = 1; k <= 4; ++k) {
+      double v[3] = {direction[0], direction[1], direction[2]};
+      v[axis] = direction[axis] + k * step;
+      EvalReference(order, v, ahead.data());
+      v[axis] = direction[axis] - k * step;
+      EvalReference(order, v, behind.data());
+      for (size_t i = 0; i < n; ++i) out[i] += weights[k - 1] * (ahead[i] - behind[i]) / step;
     }
   }
 }

@@ -18,20 +18,22 @@ constexpr double CosineBand(int l) {
 }
 
 // What a sum over bands weights them by.
-struct RadianceBands {
-  static constexpr double Band(int) { return 1.0; }
-};
+using RadianceBands = basis::UnitBands;
 struct IrradianceBands {
   static constexpr double Band(int l) { return CosineBand(l); }
 };
 
-// E/pi of order 3 as a polynomial of the normal (Sloan 2008, appendix A10).
-inline constexpr double kRootPi = ConstexprSqrt(kPi);
-inline constexpr double kC0 = 1.0 / (2.0 * kRootPi);
-inline constexpr double kC1 = ConstexprSqrt(3.0) / (3.0 * kRootPi);
-inline constexpr double kC2 = ConstexprSqrt(15.0) / (8.0 * kRootPi);
-inline constexpr double kC3 = ConstexprSqrt(5.0) / (16.0 * kRootPi);
-inline constexpr double kC4 = 0.5 * kC2;
+// sum of Band(l) f_lm y_lm of order 3 as a polynomial of the direction (of E/pi: C0 to C4 of Sloan
+// 2008, appendix A10, are kMean, kLinear, kProduct, -kOffset and kDifference).
+template <class Quantity>
+struct QuadraticConstants {
+  static constexpr double kMean = Quantity::Band(0) * basis::kSectoral<0>;
+  static constexpr double kLinear = Quantity::Band(1) * basis::kFirst<0>;
+  static constexpr double kProduct = Quantity::Band(2) * 2.0 * basis::kSectoral<2>;
+  static constexpr double kSquare = Quantity::Band(2) * basis::kSecondSquare<0>;
+  static constexpr double kOffset = Quantity::Band(2) * basis::kSecondConstant<0>;
+  static constexpr double kDifference = Quantity::Band(2) * basis::kSectoral<2>;
+};
 
 }  // namespace gaunt::evaluate
 

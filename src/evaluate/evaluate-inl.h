@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kernels that evaluate and blend SH coefficients.
+// Kernels that evaluate, combine and blend SH coefficients.
 #if defined(GAUNT_EVALUATE_EVALUATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GAUNT_EVALUATE_EVALUATE_INL_H_
 #undef GAUNT_EVALUATE_EVALUATE_INL_H_
@@ -17,8 +17,34 @@ namespace gaunt::evaluate::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// sum_lm Quantity::Band(l) f_lm y_lm for each channel. The basis is evaluated once, scaled by the
-// band's factor where there is one, and kept in slots; bands whose factor is zero are left out.
+// sum of f_lm y_lm for each channel, over the bands whose weight is not zero; y carries the weights.
+template <int n, class Quantity>
+struct SumChannels {
+  size_t channels;
+
+  template <class K, class InF, class InY, class Out>
+  GAUNT_LANES void operator()(const K&, const InF& f, const InY& y, const Out& out) const {
+    for (size_t c = 0; c < channels; ++c) {
+      const auto channel = f.From(c * NumCoefficients(n));
+      out(c, Sum<1>(channel, y, Mul(y(0), channel(0))));
+    }
+  }
+
+ private:
+  template <int i, class InF, class InY, class V>
+  static GAUNT_LANES V Sum(const InF& f, const InY& y, V sum) {
+    if constexpr (i == NumCoefficients(n)) {
+      return sum;
+    } else if constexpr (Quantity::Band(BandOf(i)) == 0.0) {
+      return Sum<i + 1>(f, y, sum);
+    } else {
+      return Sum<i + 1>(f, y, MulAdd(y(i), f(i), sum));
+    }
+  }
+};
+
+// sum_lm Quantity::Band(l) f_lm y_lm for each channel. The weighted basis is evaluated once and kept
+// in slots.
 template <int n, class Quantity>
 struct Evaluate {
   size_t channels;
@@ -27,38 +53,66 @@ struct Evaluate {
   GAUNT_LANES void operator()(const K& k, const InF& f, const InD& direction,
                               const Out& out) const {
     typename K::template Slots<NumCoefficients(n)> y;
-    basis::HWY_NAMESPACE::Eval<n>()(k, direction, y);
-    Scale<0>(k, y);
+    basis::HWY_NAMESPACE::Eval<n, Quantity>()(k, direction, y);
+    SumChannels<n, Quantity>{channels}(k, f, y, out);
+  }
+};
+
+// Planes of a Quadratic, in the order of the float4 of Constants.
+enum QuadraticPlane { kX, kY, kZ, kOne, kXY, kYZ, kZZ, kZX, kXXYY, kQuadraticPlanes };
+
+// sum_lm Quantity::Band(l) f_lm y_lm of order 3 as a polynomial of the direction: planes of
+// (x, y, z, 1), (xy, yz, zz, zx) and xx - yy.
+template <class Quantity>
+struct Quadratic {
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& f, const Out& a, const Out& b,
+                              const Out& c) const {
+    using C = QuadraticConstants<Quantity>;
+    const auto f6 = f(6);
+    a(0, Mul(k(-C::kLinear), f(3)));
+    a(1, Mul(k(-C::kLinear), f(1)));
+    a(2, Mul(k(C::kLinear), f(2)));
+    a(3, MulAdd(k(C::kOffset), f6, Mul(k(C::kMean), f(0))));
+    b(0, Mul(k(C::kProduct), f(4)));
+    b(1, Mul(k(-C::kProduct), f(5)));
+    b(2, Mul(k(C::kSquare), f6));
+    b(3, Mul(k(-C::kProduct), f(7)));
+    c(0, Mul(k(C::kDifference), f(8)));
+  }
+};
+
+// The polynomials of each channel, plane after plane.
+template <class Quantity>
+struct Quadratics {
+  size_t channels;
+
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& f, const Out& out) const {
     for (size_t c = 0; c < channels; ++c) {
-      const auto channel = f.From(c * NumCoefficients(n));
-      out(c, Sum<1>(channel, y, Mul(y(0), channel(0))));
+      const auto channel = out.From(kQuadraticPlanes * c);
+      Quadratic<Quantity>()(k, f.From(9 * c), channel.From(kX), channel.From(kXY),
+                            channel.From(kXXYY));
     }
   }
+};
 
- private:
-  static constexpr int Band(int i) {
-    int l = 0;
-    while ((l + 1) * (l + 1) <= i) ++l;
-    return l;
-  }
+// Their values, by nested multiplication.
+struct EvaluateQuadratics {
+  size_t channels;
 
-  template <int i, class K, class Slots>
-  static GAUNT_LANES void Scale(const K& k, Slots& y) {
-    if constexpr (i < NumCoefficients(n)) {
-      constexpr double kBand = Quantity::Band(Band(i));
-      if constexpr (kBand != 0.0 && kBand != 1.0) y(i, Mul(k(kBand), y(i)));
-      Scale<i + 1>(k, y);
-    }
-  }
-
-  template <int i, class InF, class Slots, class V>
-  static GAUNT_LANES V Sum(const InF& f, const Slots& y, V sum) {
-    if constexpr (i == NumCoefficients(n)) {
-      return sum;
-    } else if constexpr (Quantity::Band(Band(i)) == 0.0) {
-      return Sum<i + 1>(f, y, sum);
-    } else {
-      return Sum<i + 1>(f, y, MulAdd(y(i), f(i), sum));
+  template <class K, class InF, class InD, class Out>
+  GAUNT_LANES void operator()(const K&, const InF& polynomials, const InD& direction,
+                              const Out& out) const {
+    using V = typename K::V;
+    const V x = direction(0), y = direction(1), z = direction(2);
+    for (size_t c = 0; c < channels; ++c) {
+      const auto p = polynomials.From(kQuadraticPlanes * c);
+      const V difference = p(kXXYY);
+      V value = MulAdd(z, MulAdd(z, p(kZZ), p(kZ)), p(kOne));
+      value = MulAdd(x, MulAdd(x, difference, MulAdd(y, p(kXY), MulAdd(z, p(kZX), p(kX)))), value);
+      value = MulAdd(y, NegMulAdd(y, difference, MulAdd(z, p(kYZ), p(kY))), value);
+      out(c, value);
     }
   }
 };
@@ -69,20 +123,85 @@ struct Constants {
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& f, const Out& out) const {
     for (size_t c = 0; c < 3; ++c) {
-      const auto l = f.From(9 * c);
-      const auto a = out.From(4 * c), b = out.From(12 + 4 * c);
-      const auto l6 = l(6);
-      a(0, Mul(k(-kC1), l(3)));
-      a(1, Mul(k(-kC1), l(1)));
-      a(2, Mul(k(kC1), l(2)));
-      a(3, MulAdd(k(-kC3), l6, Mul(k(kC0), l(0))));
-      b(0, Mul(k(kC2), l(4)));
-      b(1, Mul(k(-kC2), l(5)));
-      b(2, Mul(k(3.0 * kC3), l6));
-      b(3, Mul(k(-kC2), l(7)));
-      out(24 + c, Mul(k(kC4), l(8)));
+      Quadratic<IrradianceBands>()(k, f.From(9 * c), out.From(4 * c), out.From(12 + 4 * c),
+                                   out.From(24 + c));
     }
     out(27, k(1.0));
+  }
+};
+
+// Radiance of order 3 to the symmetric 4x4 matrix M of each channel, row by row, for which
+// E/pi = (n, 1) M (n, 1) (Ramamoorthi and Hanrahan 2001).
+struct Matrix {
+  size_t channels;
+
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& f, const Out& out) const {
+    typename K::template Slots<kQuadraticPlanes> p;
+    for (size_t c = 0; c < channels; ++c) {
+      Quadratic<IrradianceBands>()(k, f.From(9 * c), Part<decltype(p)>{p, kX},
+                                   Part<decltype(p)>{p, kXY}, Part<decltype(p)>{p, kXXYY});
+      const auto m = out.From(16 * c);
+      const auto half = k(0.5);
+      Both(m, 0, 1, Mul(half, p(kXY)));
+      Both(m, 0, 2, Mul(half, p(kZX)));
+      Both(m, 1, 2, Mul(half, p(kYZ)));
+      Both(m, 0, 3, Mul(half, p(kX)));
+      Both(m, 1, 3, Mul(half, p(kY)));
+      Both(m, 2, 3, Mul(half, p(kZ)));
+      m(0, p(kXXYY));
+      m(5, Neg(p(kXXYY)));
+      m(10, p(kZZ));
+      m(15, p(kOne));
+    }
+  }
+
+ private:
+  template <class Slots>
+  struct Part {
+    Slots& slots;
+    size_t first;
+    template <class V>
+    GAUNT_LANES void operator()(size_t p, V v) const {
+      slots(first + p, v);
+    }
+  };
+  template <class Out, class V>
+  static GAUNT_LANES void Both(const Out& m, size_t row, size_t column, V v) {
+    m(4 * row + column, v);
+    m(4 * column + row, v);
+  }
+};
+
+// sum over planes of a b, in four sums that do not wait for each other.
+struct Dot {
+  size_t planes;
+
+  template <class K, class InA, class InB>
+  GAUNT_LANES typename K::V operator()(const K& k, const InA& a, const InB& b) const {
+    using V = typename K::V;
+    V s0 = k(0.0), s1 = s0, s2 = s0, s3 = s0;
+    size_t p = 0;
+    for (; p + 4 <= planes; p += 4) {
+      s0 = MulAdd(a(p), b(p), s0);
+      s1 = MulAdd(a(p + 1), b(p + 1), s1);
+      s2 = MulAdd(a(p + 2), b(p + 2), s2);
+      s3 = MulAdd(a(p + 3), b(p + 3), s3);
+    }
+    for (; p < planes; ++p) s0 = MulAdd(a(p), b(p), s0);
+    return Add(Add(s0, s1), Add(s2, s3));
+  }
+};
+
+// Adds weight times the dot product of a band's planes to `sum`.
+struct AddDot {
+  size_t planes;
+  double weight;
+
+  template <class K, class InA, class InB, class InSum, class OutSum>
+  GAUNT_LANES void operator()(const K& k, const InA& a, const InB& b, const InSum& before,
+                              const OutSum& sum) const {
+    sum(0, MulAdd(k(weight), Dot{planes}(k, a, b), before(0)));
   }
 };
 

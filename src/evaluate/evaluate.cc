@@ -7,6 +7,7 @@
 #define HWY_TARGET_INCLUDE "evaluate/evaluate.cc"
 #include <hwy/foreach_target.h>
 
+#include "basis/bands-inl.h"
 #include "evaluate/evaluate-inl.h"
 #include "simd/batch-inl.h"
 #include "simd/export-inl.h"
@@ -14,17 +15,144 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::evaluate::HWY_NAMESPACE {
 
+// One function in many directions, of order 3: its polynomial is found once.
+template <class Quantity>
+void QuadraticBatch(size_t channels, size_t count, const simd::InView& coefficients,
+                    const simd::InView& directions, const simd::OutView& out) {
+  constexpr size_t kMost = kMaxChannels * kQuadraticPlanes;
+  float polynomials[kMost];
+  ForEachBatch(1, Quadratics<Quantity>{channels}, In<kMaxChannels * 9>(coefficients, 9 * channels),
+               Out<kMost>(simd::InterleavedOut(polynomials, kMost), kQuadraticPlanes * channels));
+  ForEachBatch(count, EvaluateQuadratics{channels},
+               In<kMost>(simd::BroadcastIn(polynomials), kQuadraticPlanes * channels),
+               In<3>(directions), Out<kMaxChannels>(out, channels));
+}
+
+// Many functions in one direction: its basis is found once.
+template <int n, class Quantity>
+void OneDirectionBatch(size_t channels, size_t count, const simd::InView& coefficients,
+                       const simd::InView& directions, const simd::OutView& out) {
+  constexpr size_t kCoefficients = NumCoefficients(n);
+  float y[kCoefficients];
+  ForEachBatch(1, basis::HWY_NAMESPACE::Eval<n, Quantity>(), In<3>(directions),
+               Out<kCoefficients>(simd::InterleavedOut(y, kCoefficients)));
+  ForEachBatch(count, SumChannels<n, Quantity>{channels},
+               In<kMaxChannels * kCoefficients>(coefficients, channels * kCoefficients),
+               In<kCoefficients>(simd::BroadcastIn(y)), Out<kMaxChannels>(out, channels));
+}
+
 template <int n, class Quantity>
 void EvaluateBatch(size_t channels, size_t count, const simd::InView& coefficients,
                    const simd::InView& directions, const simd::OutView& out) {
   constexpr size_t kCoefficients = NumCoefficients(n);
+  if (count > 1) {  // one item is a broadcast too, and should have the bits of one among many
+    if (n == 3 && coefficients.IsBroadcast()) {
+      return QuadraticBatch<Quantity>(channels, count, coefficients, directions, out);
+    }
+    if (directions.IsBroadcast()) {
+      return OneDirectionBatch<n, Quantity>(channels, count, coefficients, directions, out);
+    }
+  }
   ForEachBatch(count, Evaluate<n, Quantity>{channels},
                In<kMaxChannels * kCoefficients>(coefficients, channels * kCoefficients),
                In<3>(directions), Out<kMaxChannels>(out, channels));
 }
 
+// Sums over planes of a stack tile of items, a run of planes at a time: for more planes than the
+// stack should hold.
+class TileSums {
+ public:
+  static constexpr size_t kMostPlanes = 2 * kMaxOrder - 1;
+
+  TileSums(size_t first, size_t n) : first_(first), n_(n) {
+    std::fill(sums_, sums_ + kMaxChannels * kTileItems, 0.0f);
+  }
+
+  // Adds weight times the sum of a b over planes of a batch, with `b` of a stack tile.
+  HWY_NOINLINE void Add(size_t channel, const simd::InView& a, const float* b, size_t planes,
+                        double weight) {
+    HWY_ALIGN float tile[kMostPlanes * kTileItems];
+    const AddDot kernel{planes, weight};
+    float* const sums = sums_ + channel * kTileItems;
+    const bool direct = a.item_stride == sizeof(float) && a.tile_items % kTileItems == 0 &&
+                        n_ % hn::Lanes(LaneTag()) == 0;
+    if (!direct && !a.IsBroadcast()) LoadTiles(a, ShapeOf(a, planes), first_, n_, planes, tile);
+    for (size_t i = 0; i < n_; i += hn::Lanes(LaneTag())) {
+      const PlanesIn b_in = {Bytes(b + i), kTileStride}, before = {Bytes(sums + i), kTileStride};
+      const PlanesOut sum = {reinterpret_cast<unsigned char*>(sums + i), kTileStride};
+      if (a.IsBroadcast()) {
+        kernel(Lanes(), SplatIn{a.data, a.plane_stride}, b_in, before, sum);
+      } else if (direct) {
+        const unsigned char* item = a.Item(first_) + i * sizeof(float);
+        kernel(Lanes(), PlanesIn{item, a.plane_stride}, b_in, before, sum);
+      } else {
+        kernel(Lanes(), PlanesIn{Bytes(tile + i), kTileStride}, b_in, before, sum);
+      }
+    }
+  }
+
+  void Store(const simd::OutView& out, size_t channels) const {
+    StoreTiles(sums_, out, ShapeOf(out, channels), first_, n_, channels);
+  }
+
+ private:
+  static const unsigned char* Bytes(const float* at) {
+    return reinterpret_cast<const unsigned char*>(at);
+  }
+
+  size_t first_;
+  size_t n_;
+  HWY_ALIGN float sums_[kMaxChannels * kTileItems];
+};
+
+template <class Quantity>
+void EvaluateAnyBatch(int order, size_t channels, size_t count, const simd::InView& coefficients,
+                      const simd::InView& directions, const simd::OutView& out) {
+  basis::HWY_NAMESPACE::BandTile tile;
+  for (size_t first = 0; first < count; first += kTileItems) {
+    const size_t n = std::min(kTileItems, count - first);
+    TileSums sums(first, n);
+    tile.Load(directions, first, n);
+    for (int l = 0; l < order; ++l) {
+      tile.Eval(l);
+      const double weight = Quantity::Band(l);
+      for (size_t c = 0; weight != 0.0 && c < channels; ++c) {
+        const size_t plane = c * static_cast<size_t>(order * order) + static_cast<size_t>(l * l);
+        sums.Add(c, coefficients.FromPlane(plane), tile.Band(l), static_cast<size_t>(2 * l + 1),
+                 weight);
+      }
+    }
+    sums.Store(out, channels);
+  }
+}
+
+void DotBatch(size_t coefficients, size_t channels, size_t count, const simd::InView& a,
+              const simd::InView& b, const simd::OutView& out) {
+  constexpr size_t kRun = 64;
+  HWY_ALIGN float tile[kRun * kTileItems];
+  for (size_t first = 0; first < count; first += kTileItems) {
+    const size_t n = std::min(kTileItems, count - first);
+    TileSums sums(first, n);
+    for (size_t c = 0; c < channels; ++c) {
+      for (size_t p = 0; p < coefficients; p += kRun) {
+        const size_t run = std::min(kRun, coefficients - p);
+        const simd::InView b_run = b.FromPlane(c * coefficients + p);
+        LoadTiles(b_run, ShapeOf(b_run, run), first, n, run, tile);
+        sums.Add(c, a.FromPlane(c * coefficients + p), tile, run, 1.0);
+      }
+    }
+    sums.Store(out, channels);
+  }
+}
+
 void ConstantsBatch(size_t count, const simd::InView& radiance, const simd::OutView& out) {
   ForEachBatch(count, Constants(), In<27>(radiance), Out<kConstantPlanes>(out));
+}
+
+void MatrixBatch(size_t channels, size_t count, const simd::InView& radiance,
+                 const simd::OutView& out) {
+  ForEachBatch(count, Matrix{channels}, In<kMaxChannels * 9>(radiance, 9 * channels),
+               Out<kMaxChannels * kMatrixPlanes>(out, kMatrixPlanes * channels));
 }
 
 // Planes are independent, so any number of them goes a stack tile's worth at a time.
@@ -42,7 +170,11 @@ template <int... n>
 constexpr Table MakeTable(std::integer_sequence<int, 0, n...>) {
   return {{nullptr, &EvaluateBatch<n, RadianceBands>...},
           {nullptr, &EvaluateBatch<n, IrradianceBands>...},
+          &EvaluateAnyBatch<RadianceBands>,
+          &EvaluateAnyBatch<IrradianceBands>,
           &ConstantsBatch,
+          &MatrixBatch,
+          &DotBatch,
           &BlendBatch};
 }
 

@@ -52,4 +52,30 @@ void IrradianceConstantsReference(const double radiance[27], double out[28]) {
   out[27] = 1.0;
 }
 
+// By polarisation: E/pi(n) = v M v with v = (n, 1) holds for every unit n, and fixes M but for the
+// trace of its upper part against its last entry; the polynomial of order 3 has M_xx = -M_yy.
+void IrradianceMatrixReference(const double radiance[9], double out[16]) {
+  const double root = std::sqrt(0.5);
+  const auto e = [&](double x, double y, double z) {
+    const double normal[3] = {x, y, z};
+    return IrradianceReference(3, radiance, normal);
+  };
+  const auto even = [&](double x, double y, double z) {
+    return 0.5 * (e(x, y, z) + e(-x, -y, -z));
+  };
+  const auto odd = [&](double x, double y, double z) { return 0.5 * (e(x, y, z) - e(-x, -y, -z)); };
+  const double xx = even(1, 0, 0), yy = even(0, 1, 0), zz = even(0, 0, 1);
+  const double last = 0.5 * (xx + yy);
+  const double m[4][4] = {{xx - last, even(root, root, 0) - last,
+                           even(root, 0, root) - 0.5 * (xx + zz), 0.5 * odd(1, 0, 0)},
+                          {0, yy - last, even(0, root, root) - 0.5 * (yy + zz), 0.5 * odd(0, 1, 0)},
+                          {0, 0, zz - last, 0.5 * odd(0, 0, 1)},
+                          {0, 0, 0, last}};
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      out[4 * row + column] = m[std::min(row, column)][std::max(row, column)];
+    }
+  }
+}
+
 }  // namespace gaunt::evaluate

@@ -17,6 +17,9 @@ double IrradianceReference(int order, const double* radiance, const double norma
 // The 7 float4 of an RGB radiance of order 3, channel-major.
 void IrradianceConstantsReference(const double radiance[27], double out[28]);
 
+// The 4x4 matrix of a channel's quadratic form.
+void IrradianceMatrixReference(const double radiance[9], double out[16]);
+
 }  // namespace gaunt::evaluate
 
 #endif  // GAUNT_EVALUATE_EVALUATE_REFERENCE_H_

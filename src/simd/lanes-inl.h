@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include <cstddef>
+#include <cstring>
 
 // Kernels are inlined into code of their own target, whose attributes come from the enclosing
 // HWY_BEFORE_NAMESPACE. Counting them is ordinary code, into which they could not be inlined.
@@ -61,6 +62,17 @@ struct PlanesIn {
   GAUNT_LANES hn::Vec<LaneTag> operator()(size_t p) const {
     return hn::LoadU(LaneTag(),
                      reinterpret_cast<const float*>(data + static_cast<ptrdiff_t>(p) * stride));
+  }
+};
+
+// Planes of one item, for every lane.
+struct SplatIn {
+  const unsigned char* data;
+  ptrdiff_t stride;
+  GAUNT_LANES hn::Vec<LaneTag> operator()(size_t p) const {
+    float value;
+    std::memcpy(&value, data + static_cast<ptrdiff_t>(p) * stride, sizeof(value));
+    return hn::Set(LaneTag(), value);
   }
 };
 

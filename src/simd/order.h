@@ -16,6 +16,11 @@ inline constexpr int kMaxChannels = 4;
 
 constexpr int NumCoefficients(int order) { return order * order; }
 constexpr int CoefficientIndex(int l, int m) { return l * (l + 1) + m; }
+constexpr int BandOf(int i) {
+  int l = 0;
+  while ((l + 1) * (l + 1) <= i) ++l;
+  return l;
+}
 
 // A table indexed by order has a null entry 0 so that the order is the index.
 template <int kMax>

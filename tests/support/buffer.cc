@@ -17,6 +17,7 @@ float Canary() {
 bool SameBits(float a, float b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
 
 constexpr size_t kMargin = 24;  // floats before and after
+constexpr size_t kLine = 16;    // floats of a cache line
 
 }  // namespace
 
@@ -42,12 +43,15 @@ std::string Name(Layout layout) {
   return "";
 }
 
-Buffer::Buffer(Layout layout, size_t count, size_t planes) : count_(count), planes_(planes) {
+Buffer::Buffer(Layout layout, size_t count, size_t planes, Start start)
+    : count_(count), planes_(planes) {
   const ptrdiff_t n = static_cast<ptrdiff_t>(count), p = static_cast<ptrdiff_t>(planes);
   ptrdiff_t item = 0, plane = 1, tile = 0, first = 0, floats = 0;
   size_t tile_items = 0;
   switch (layout) {
-    case Layout::kPlanar: item = 1, plane = n + 3, floats = p * plane; break;
+    case Layout::kPlanar:
+      item = 1, plane = start == Start::kLine ? (n + 31) / 16 * 16 : n + 3, floats = p * plane;
+      break;
     case Layout::kPlanarPowerOfTwo: item = 1, plane = 1024, floats = p * plane; break;
     case Layout::kInterleaved: item = p, floats = n * p; break;
     case Layout::kRecord: item = p + 5, first = 2, floats = n * item; break;
@@ -62,7 +66,12 @@ Buffer::Buffer(Layout layout, size_t count, size_t planes) : count_(count), plan
     case Layout::kBroadcast: floats = p; break;
   }
   if (first < 0) first = 0;
-  memory_.assign(static_cast<size_t>(floats) + 2 * kMargin, Canary());
+  memory_.assign(static_cast<size_t>(floats) + 2 * kMargin + kLine, Canary());
+  if (start == Start::kLine) {
+    const size_t past =
+        reinterpret_cast<uintptr_t>(memory_.data() + kMargin + first) / sizeof(float);
+    first += static_cast<ptrdiff_t>((kLine - past % kLine) % kLine);
+  }
   constexpr ptrdiff_t kFloat = sizeof(float);
   view_ = {memory_.data() + kMargin + first, item * kFloat, plane * kFloat, tile * kFloat,
            tile_items};

@@ -23,13 +23,16 @@ enum class Layout {
   kBroadcast   // one item for all: for inputs
 };
 
+// Where the first element lies: anywhere, or on a cache line, as each plane of kPlanar then does.
+enum class Start { kAnywhere, kLine };
+
 // Every layout that outputs can have too.
 const std::vector<Layout>& Layouts();
 std::string Name(Layout layout);
 
 class Buffer {
  public:
-  Buffer(Layout layout, size_t count, size_t planes);
+  Buffer(Layout layout, size_t count, size_t planes, Start start = Start::kAnywhere);
   // A copy has memory, and so a view, of its own.
   Buffer(const Buffer& other);
   Buffer(Buffer&&) = default;

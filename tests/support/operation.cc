@@ -81,9 +81,8 @@ void ExpectMatchesReference(const Operation& operation, const Values& inputs, si
     for (const size_t planes : operation.outputs) wanted.emplace_back(planes);
     operation.reference(item, wanted);
     for (size_t s = 0; s < out.size(); ++s) {
-      const double tolerance = operation.tolerance(item, s);
       for (size_t p = 0; p < operation.outputs[s]; ++p) {
-        ASSERT_NEAR(out[s].Get(i, p), wanted[s][p], tolerance)
+        ASSERT_NEAR(out[s].Get(i, p), wanted[s][p], operation.tolerance(item, s, p))
             << operation.name << ": item " << i << " of " << count << ", output " << s << ", plane "
             << p;
       }

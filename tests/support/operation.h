@@ -24,8 +24,8 @@ struct Operation {
   std::function<void(Random& random, size_t side, float* planes)> make;
   // The definition, in double precision.
   std::function<void(const Item& in, Item& out)> reference;
-  // Largest error allowed in an item's output `side`.
-  std::function<double(const Item& in, size_t side)> tolerance;
+  // Largest error allowed in a plane of an item's output `side`.
+  std::function<double(const Item& in, size_t side, size_t plane)> tolerance;
   // Inputs that output 0 may be in place of.
   std::vector<size_t> in_place;
 };
