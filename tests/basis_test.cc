@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "basis/basis_reference.h"
 #include "gaunt/gaunt.h"
+#include "tests/support/designs.h"
 #include "tests/support/golden.h"
 #include "tests/support/operation.h"
 #include "tests/support/targets.h"
@@ -99,6 +101,25 @@ TEST_P(Basis, MatchesGoldenValues) {
 
 TEST(BasisBits, AreTheSameOnTargetsOfAClass) {
   for (uint32_t n = 1; n <= GAUNT_MAX_ORDER; ++n) TestSameBits(EvalOperation(n));
+}
+
+// sum over a design's points of (4 pi / N) y_a y_b = delta_ab: products of order 6 have degree 10.
+TEST_P(Basis, IsOrthonormal) {
+  const points::PointSet design = SphericalDesign(10);
+  std::vector<double> sums(36 * 36, 0.0);
+  for (const points::Point& p : design) {
+    float d[3], y[36];
+    for (size_t k = 0; k < 3; ++k) d[k] = static_cast<float>(p[k]);
+    gaunt_view in, out;
+    gaunt_view_interleaved(d, 3, &in);
+    gaunt_view_interleaved(y, 36, &out);
+    ASSERT_EQ(gaunt_basis_eval(6, 1, &in, &out), GAUNT_OK);
+    const double weight = 4.0 * std::acos(-1.0) / static_cast<double>(design.size());
+    for (size_t i = 0; i < 36 * 36; ++i) sums[i] += weight * double{y[i / 36]} * double{y[i % 36]};
+  }
+  for (size_t i = 0; i < 36 * 36; ++i) {
+    EXPECT_NEAR(sums[i], i / 36 == i % 36 ? 1.0 : 0.0, 2e-6) << i / 36 << ", " << i % 36;
+  }
 }
 
 GAUNT_INSTANTIATE_TARGETS(Basis);
