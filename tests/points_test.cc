@@ -40,8 +40,9 @@ void ExpectSame(const PointSet& a, const PointSet& b, double tolerance) {
 }
 
 void ExpectUnitLengths(const PointSet& set) {
-  for (const Point& p : set)
+  for (const Point& p : set) {
     EXPECT_NEAR(points::Dot(p, p), 1.0, 1e-15) << testing::PrintToString(p);
+  }
 }
 
 // Mean of x^a y^b z^c over the sphere: 0 if one of them is odd, else
@@ -117,6 +118,11 @@ TEST(Repulsion, FindsTheShapesOfFewPoints) {
       1e-14);
 }
 
+// The first start, and most of the others, end in higher minima.
+TEST(Repulsion, SeesFurtherThanTheNearestMinimum) {
+  EXPECT_NEAR(points::CoulombEnergy(points::Repulsion(37)), 560.618887731, 1e-9);
+}
+
 TEST(Design, CommittedOnesAreThoseOfTheGenerator) {
   for (const DesignPointsSet& committed : kDesignPoints) {
     ExpectSame(points::SymmetricDesign(committed.strength), SphericalDesign(committed.strength),
@@ -136,7 +142,7 @@ TEST(Design, MeansOfHarmonicsVanish) {
       for (size_t i = 0; i < y.size(); ++i) mean[i] += y[i] / static_cast<double>(set.size());
     }
     EXPECT_NEAR(mean[0], 0.5 / std::sqrt(kPi), 1e-14);
-    const size_t beyond = static_cast<size_t>((order - 1) * (order - 1));
+    const size_t bands = static_cast<size_t>(order) - 1, beyond = bands * bands;
     double within = 0.0, above = 0.0;
     for (size_t i = 1; i < beyond; ++i) within = std::max(within, std::abs(mean[i]));
     for (size_t i = beyond; i < y.size(); ++i) above = std::max(above, std::abs(mean[i]));
@@ -147,6 +153,11 @@ TEST(Design, MeansOfHarmonicsVanish) {
   }
 }
 
+// y_1^0 = sqrt(3 / 4 pi) z is all that one point at +z leaves up to strength 1.
+TEST(Design, ResidualIsTheLargestMean) {
+  EXPECT_NEAR(points::DesignResidual(1, {{0.0, 0.0, 1.0}}), std::sqrt(0.75 / kPi), 1e-15);
+}
+
 TEST(Design, IntegratesMonomials) {
   for (const DesignPointsSet& committed : kDesignPoints) {
     const PointSet set = SphericalDesign(committed.strength);
@@ -154,8 +165,9 @@ TEST(Design, IntegratesMonomials) {
       for (int b = 0; a + b <= committed.strength; ++b) {
         for (int c = 0; a + b + c <= committed.strength; ++c) {
           double sum = 0.0;
-          for (const Point& p : set)
+          for (const Point& p : set) {
             sum += std::pow(p[0], a) * std::pow(p[1], b) * std::pow(p[2], c);
+          }
           ASSERT_NEAR(sum / static_cast<double>(set.size()), MonomialMean(a, b, c), 1e-14)
               << "strength " << committed.strength << ", x^" << a << " y^" << b << " z^" << c;
         }

@@ -6,6 +6,7 @@
 
 #include "basis/basis_reference.h"
 #include "points/descent.h"
+#include "simd/order.h"
 
 namespace gaunt::points {
 namespace {
@@ -45,7 +46,7 @@ PairTerm EvenBands(int strength, double squared_distance) {
 // have one free angle for each condition, less three for the rotation (Womersley 2018).
 int FewestHalf(int strength) {
   if (strength <= 5) return (strength + 1) * (strength + 3) / 8;
-  return (strength * (strength + 1) + 4 + 3) / 4;
+  return (strength * (strength + 1) + 4 + 3) / 4;  // rounded up
 }
 
 // sum over the points of y_lm
@@ -68,7 +69,8 @@ std::vector<Point> GradientBySums(int strength, const PointSet& half) {
     basis::EvalReference(strength, p.data(), y.data());
     double sum = 0.0;
     for (int l = 2; l < strength; l += 2) {
-      for (size_t i = static_cast<size_t>(l * l); i < static_cast<size_t>((l + 1) * (l + 1)); ++i) {
+      for (int m = -l; m <= l; ++m) {
+        const size_t i = static_cast<size_t>(CoefficientIndex(l, m));
         sum += 4.0 * std::acos(-1.0) * BandWeight(l) * sums[i] * y[i];
       }
     }
@@ -90,7 +92,7 @@ std::vector<Point> GradientBySums(int strength, const PointSet& half) {
 
 PointSet WithOpposites(const PointSet& half) {
   PointSet set = half;
-  for (const Point& p : half) set.push_back(Along(Point{}, -1.0, p));
+  for (const Point& p : half) set.push_back(Opposite(p));
   return set;
 }
 

@@ -91,10 +91,10 @@ double CoveringRadius(const PointSet& set) {
   };
   const auto visit_both = [&](const Point& direction) {
     visit(direction);
-    visit(Along(Point{}, -1.0, direction));
+    visit(Opposite(direction));
   };
   for (size_t i = 0; i < set.size(); ++i) {
-    visit(Along(Point{}, -1.0, set[i]));
+    visit(Opposite(set[i]));
     for (size_t j = 0; j < i; ++j) {
       const Point middle = Along(set[i], 1.0, set[j]);
       visit_both(Dot(middle, middle) > kTie ? Normalized(middle) : Perpendicular(set[i]));
@@ -112,7 +112,7 @@ PointSet Canonical(const PointSet& set) {
   KeyedSet best;
   const auto offer = [&](const Point& z, const Point& x) {
     const Point y = Cross(z, x);
-    for (const Point& side : {y, Along(Point{}, -1.0, y)}) {
+    for (const Point& side : {y, Opposite(y)}) {
       KeyedSet candidate = InFrame(set, x, side, z);
       if (best.empty() || ComesBefore(candidate, best)) best = std::move(candidate);
     }

@@ -23,6 +23,7 @@ inline Point Cross(const Point& a, const Point& b) {
 inline Point Along(const Point& a, double t, const Point& b) {
   return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
 }
+inline Point Opposite(const Point& a) { return Along(Point{}, -1.0, a); }  // without -0
 inline Point Normalized(const Point& a) {
   const double length = std::sqrt(Dot(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
