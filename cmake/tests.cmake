@@ -19,6 +19,8 @@ function(gaunt_test name)
 endfunction()
 
 gaunt_test(base_test tests/base_test.cc)
+gaunt_test(points_test tests/points_test.cc)
+target_link_libraries(points_test PRIVATE gaunt_points)
 
 # The C API through the shared library, from C99.
 add_executable(capi_abi_test tests/capi_abi_test.c)

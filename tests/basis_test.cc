@@ -11,6 +11,7 @@
 #include "gaunt/gaunt.h"
 #include "simd/order.h"
 #include "tests/support/buffer.h"
+#include "tests/support/designs.h"
 #include "tests/support/golden.h"
 #include "tests/support/operation.h"
 #include "tests/support/targets.h"
@@ -329,6 +330,25 @@ TEST(BasisBits, AreTheSameOnTargetsOfAClass) {
   for (const uint32_t n : kOrders) TestSameBits(EvalOperation(n));
   for (const uint32_t n : kGradientOrders) TestSameBits(GradientOperation(n));
   TestSameBits(NormalizeOperation());
+}
+
+// sum over a design's points of (4 pi / N) y_a y_b = delta_ab: products of order 6 have degree 10.
+TEST_P(Basis, IsOrthonormal) {
+  const points::PointSet design = SphericalDesign(10);
+  std::vector<double> sums(36 * 36, 0.0);
+  for (const points::Point& p : design) {
+    float d[3], y[36];
+    for (size_t k = 0; k < 3; ++k) d[k] = static_cast<float>(p[k]);
+    gaunt_view in, out;
+    gaunt_view_interleaved(d, 3, &in);
+    gaunt_view_interleaved(y, 36, &out);
+    ASSERT_EQ(gaunt_basis_eval(6, 1, &in, &out), GAUNT_OK);
+    const double weight = 4.0 * std::acos(-1.0) / static_cast<double>(design.size());
+    for (size_t i = 0; i < 36 * 36; ++i) sums[i] += weight * double{y[i / 36]} * double{y[i % 36]};
+  }
+  for (size_t i = 0; i < 36 * 36; ++i) {
+    EXPECT_NEAR(sums[i], i / 36 == i % 36 ? 1.0 : 0.0, 2e-6) << i / 36 << ", " << i % 36;
+  }
 }
 
 GAUNT_INSTANTIATE_TARGETS(Basis);

@@ -49,7 +49,22 @@ rejects taken frame --out taken "${small[@]}"
 if [ "$(id -u)" -ne 0 ]; then
   mkdir locked && chmod a-w locked
   rejects locked frame --out locked/out "${small[@]}"
+  rejects locked points --repulsion 3 --out locked/points
 fi
+rejects "--repulsion or --design" points
+rejects "not in range" points --repulsion 0
+rejects "not in range" points --repulsion 201
+rejects six points --repulsion six
+rejects "not in range" points --design 33
+rejects "take 5" points --design 4
+rejects excludes points --design 5 --repulsion 6
+rejects excludes points --repulsion 6 --csv --json
+rejects excludes points --repulsion 6 --csv --header kSet
+rejects a::9 points --repulsion 6 --header a::9
+rejects twice points --repulsion 6,3,6
+rejects nowhere points --repulsion 6 --out nowhere/points
+mkdir folder
+rejects folder points --repulsion 6 --out folder
 
 for scene in courtyard room street; do
   "$gaunt" frame --scene "$scene" "${small[@]}" --out "pictures/$scene" >out.txt 2>err.txt ||
@@ -75,10 +90,28 @@ cmp -s one_core/frame.png pictures/courtyard/frame.png || fail "pictures depend 
 awk -F, 'NR > 1 && ($4 + $5 + $6 != $7 || NF != 7) { exit 1 }' csv.txt || fail "sums of opcount"
 [ "$(wc -l <csv.txt)" -gt 50 ] || fail "opcount has few rows"
 "$gaunt" opcount --json >json.txt && grep -q '"op": "basis"' json.txt || fail "opcount --json"
+
+# Points, in each form.
+"$gaunt" points --repulsion 1,22 >out.txt || fail "points"
+grep -q '^22 points: energy 185.287536149, covering radius 28' out.txt || fail "energy of points"
+[ "$(wc -l <out.txt)" -eq 25 ] || fail "number of points"
+"$gaunt" points --design 5 --csv --out csv.txt >out.txt || fail "points --csv"
+grep -q '^strength 5, 12 points: residual' out.txt || fail "summary of points --out"
+awk -F, 'NR > 1 && (($2 ^ 2 + $3 ^ 2 + $4 ^ 2 - 1) ^ 2 > 1e-28 || $1 != 5) { exit 1 }' csv.txt ||
+  fail "lengths of points"
+[ "$(wc -l <csv.txt)" -eq 13 ] || fail "rows of points"
+"$gaunt" points --design 5 --json | grep -q '"strength": 5' || fail "points --json"
+"$gaunt" points --repulsion 6 --header a::b::kFewPoints >header.txt || fail "points --header"
+[ "$(head -1 header.txt)" = "// Made by: gaunt points --repulsion 6 --header a::b::kFewPoints" ] ||
+  fail "first line of points --header"
+for word in '#ifndef A_B_FEW_POINTS_H_' 'namespace a::b {' 'kFewPoints6\[6\]\[3\] = {'; do
+  grep -q "$word" header.txt || fail "points --header: no $word"
+done
+
 "$gaunt" info | grep -q '^target ' || fail "info"
 "$gaunt" info --json | grep -q '"targets"' || fail "info --json"
 GAUNT_TARGET=nonsense "$gaunt" info | grep -q 'nonsense is unknown' || fail "unknown GAUNT_TARGET"
-for command in "" info opcount frame; do
+for command in "" info opcount frame points; do
   "$gaunt" $command --help | grep -q -- --help || fail "help of '$command'"
 done
 

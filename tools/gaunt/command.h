@@ -23,6 +23,7 @@ class BadInput : public std::runtime_error {
 void AddInfo(CLI::App& app);
 void AddOpcount(CLI::App& app);
 void AddFrame(CLI::App& app);
+void AddPoints(CLI::App& app);
 
 }  // namespace gaunt::tool
 

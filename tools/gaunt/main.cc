@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   gaunt::tool::AddInfo(app);
   gaunt::tool::AddOpcount(app);
   gaunt::tool::AddFrame(app);
+  gaunt::tool::AddPoints(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help
