@@ -25,6 +25,7 @@ struct Table {
   size_t (*div)(size_t rounds, float* out);
   void (*load)(const float* data, size_t floats, float* out);
   void (*store)(float* data, size_t floats);
+  void (*stream)(float* data, size_t floats);
 };
 #endif
 }  // namespace gaunt::bench
@@ -88,20 +89,32 @@ void RunLoad(const float* data, size_t floats, float* out) {
   hn::StoreU(Add(Add(a, b), Add(c, e)), d, out);
 }
 
-void RunStore(float* data, size_t floats) {
+struct StoreStep {
+  GAUNT_LANES void operator()(V value, float* to) const { hn::StoreU(value, LaneTag(), to); }
+};
+// Past the caches; of lines that are written whole.
+struct StreamStep {
+  GAUNT_LANES void operator()(V value, float* to) const { hn::Stream(value, LaneTag(), to); }
+};
+
+template <class Step>
+GAUNT_LANES void RunStores(float* data, size_t floats, const Step& store) {
   const LaneTag d;
   const size_t step = hn::Lanes(d);
   const V value = hn::Set(d, 1.0f);
   for (size_t i = 0; i + 4 * step <= floats; i += 4 * step) {
-    hn::StoreU(value, d, data + i);
-    hn::StoreU(value, d, data + i + step);
-    hn::StoreU(value, d, data + i + 2 * step);
-    hn::StoreU(value, d, data + i + 3 * step);
+    store(value, data + i);
+    store(value, data + i + step);
+    store(value, data + i + 2 * step);
+    store(value, data + i + 3 * step);
   }
 }
 
+void RunStore(float* data, size_t floats) { RunStores(data, floats, StoreStep()); }
+void RunStream(float* data, size_t floats) { RunStores(data, floats, StreamStep()); }
+
 const Table* GetTable() {
-  static constexpr Table kTable = {&RunFma, &RunAdd, &RunDiv, &RunLoad, &RunStore};
+  static constexpr Table kTable = {&RunFma, &RunAdd, &RunDiv, &RunLoad, &RunStore, &RunStream};
   return &kTable;
 }
 
@@ -161,7 +174,11 @@ const MemoryLimits& MeasureMemory(size_t working_set) {
   const auto [entry, is_new] = measured.try_emplace({simd::ChosenTargetName(), level});
   if (is_new) {
     const size_t bytes = levels[level], floats = bytes / sizeof(float);
-    std::vector<float> data(floats, 1.0f);
+    constexpr size_t kLine = 16;
+    std::vector<float> memory(floats + kLine, 1.0f);
+    float* const data =
+        memory.data() +
+        (kLine - reinterpret_cast<uintptr_t>(memory.data()) / sizeof(float) % kLine) % kLine;
     float out[64];
     const size_t times = std::max<size_t>(1, (4u << 20) / bytes);
     const auto per_byte = [&](auto run) {
@@ -170,8 +187,9 @@ const MemoryLimits& MeasureMemory(size_t working_set) {
              }) /
              static_cast<double>(bytes * times);
     };
-    entry->second = {per_byte([&] { Kernels().load(data.data(), floats, out); }),
-                     per_byte([&] { Kernels().store(data.data(), floats); })};
+    entry->second = {per_byte([&] { Kernels().load(data, floats, out); }),
+                     std::min(per_byte([&] { Kernels().store(data, floats); }),
+                              per_byte([&] { Kernels().stream(data, floats); }))};
   }
   return entry->second;
 }

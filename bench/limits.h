@@ -17,7 +17,7 @@ struct ArithmeticLimits {
   double div;  // the mean of a division and a square root
 };
 
-// Nanoseconds per byte, streaming over a working set.
+// Nanoseconds per byte, going over a working set; stores go past the caches where that is faster.
 struct MemoryLimits {
   double load;
   double store;

@@ -3,6 +3,7 @@
 
 #include <time.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -18,6 +19,7 @@ const char* Name(Layout layout) {
     case Layout::kPlanar: return "planar";
     case Layout::kInterleaved: return "interleaved";
     case Layout::kTiled: return "tiled";
+    case Layout::kBroadcast: return "broadcast";
   }
   return "";
 }
@@ -37,6 +39,7 @@ class Planes {
         break;
       case Layout::kInterleaved: gaunt_view_interleaved(data, planes, &view_); break;
       case Layout::kTiled: gaunt_view_tiled(data, planes, &view_); break;
+      case Layout::kBroadcast: gaunt_view_broadcast(data, &view_); break;
     }
   }
 
@@ -101,7 +104,13 @@ void RunBatch(benchmark::State& state, const BatchBenchmark& batch, Layout layou
     return state.SkipWithError("target does not run here");
   }
   std::vector<Planes> in, out;
-  for (const size_t planes : batch.inputs) in.emplace_back(layout, count, planes);
+  const auto is_broadcast = [&](size_t side) {
+    return std::count(batch.broadcast.begin(), batch.broadcast.end(), side) != 0;
+  };
+  for (size_t side = 0; side < batch.inputs.size(); ++side) {
+    in.emplace_back(is_broadcast(side) ? Layout::kBroadcast : layout,
+                    is_broadcast(side) ? 1 : count, batch.inputs[side]);
+  }
   for (const size_t planes : batch.outputs) out.emplace_back(layout, count, planes);
   BatchBenchmark::Views in_views, out_views;
   size_t read = batch.more_read, written = batch.more_written;
@@ -111,7 +120,7 @@ void RunBatch(benchmark::State& state, const BatchBenchmark& batch, Layout layou
       MakeNoise(i, side, batch.inputs[side], item);
     });
     in_views.push_back(in[side].view());
-    read += batch.inputs[side] * sizeof(float);
+    if (!is_broadcast(side)) read += batch.inputs[side] * sizeof(float);
   }
   for (size_t side = 0; side < out.size(); ++side) {
     out_views.push_back(out[side].view());

@@ -19,7 +19,7 @@ namespace gaunt::bench {
 // Sizes: in cache and not a power of two; the same with one; out of every cache.
 inline constexpr size_t kSmall = 1000, kPowerOfTwo = 1024, kLarge = 1u << 20;
 
-enum class Layout { kPlanar, kInterleaved, kTiled };
+enum class Layout { kPlanar, kInterleaved, kTiled, kBroadcast };
 
 struct BatchBenchmark {
   using Views = std::vector<const gaunt_view*>;
@@ -31,7 +31,8 @@ struct BatchBenchmark {
   std::function<gaunt_status(size_t count, const Views& in, const Views& out)> call;
   // Fills an item of input `side`; by default with numbers in [-1, 1].
   std::function<void(size_t item, size_t side, float* planes)> make;
-  bool large = false;  // out of cache too
+  bool large = false;             // out of cache too
+  std::vector<size_t> broadcast;  // inputs that are one item for all
   // Bytes per item that are not in views: packed records, indices, weights.
   size_t more_read = 0, more_written = 0;
 };

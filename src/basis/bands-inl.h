@@ -14,19 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::basis::HWY_NAMESPACE {
 
-// For a band that is read from the tile.
-struct Nowhere {
-  GAUNT_LANES void operator()(size_t, hn::Vec<LaneTag>) const {}
-  GAUNT_LANES Nowhere Lane(size_t) const { return {}; }
-};
-
-// For a band whose planes are written where they belong, too.
-struct BandPlanes {
-  unsigned char* data;
-  ptrdiff_t stride;
-  GAUNT_LANES PlanesOut Lane(size_t i) const { return {data + i * sizeof(float), stride}; }
-};
-
 class BandTile {
  public:
   // Items first .. first + n, at most kTileItems.
@@ -35,33 +22,26 @@ class BandTile {
     LoadTiles(directions, ShapeOf(directions, 3), first, n, 3, direction_);
   }
 
-  // Goes on to band l, which follows the one that was evaluated last, from 0 up.
-  template <class Out = Nowhere>
-  HWY_NOINLINE void Eval(int l, const Out& out = Out()) {
+  // Evaluates band l, which follows the one that was evaluated last, from 0 up: 2l + 1 planes.
+  HWY_NOINLINE void Eval(int l, float* HWY_RESTRICT band) {
     const Lanes k;
     const EvalBand kernel{l};
     for (size_t i = 0; i < items_; i += hn::Lanes(LaneTag())) {
-      unsigned char* const group = reinterpret_cast<unsigned char*>(state_ + i);
-      kernel(k, Direction(i), PlanesIn{group, kTileStride}, PlanesOut{group, kTileStride},
-             out.Lane(i));
+      kernel(k, Direction(i), TileIn(state_ + i), TileOut(state_ + i), TileOut(band + i));
     }
   }
 
-  // Of the items from i up: their directions, the state that EvalBand leaves.
-  GAUNT_LANES PlanesIn Direction(size_t i) const {
-    return {reinterpret_cast<const unsigned char*>(direction_ + i), kTileStride};
-  }
-  GAUNT_LANES PlanesIn State(size_t i) const {
-    return {reinterpret_cast<const unsigned char*>(state_ + i), kTileStride};
-  }
-  // The 2l + 1 planes of band l.
-  const float* Band(int l) const { return state_ + StateIndex(l, -l) * kTileItems; }
+  // Of the items from i up.
+  GAUNT_LANES PlanesIn Direction(size_t i) const { return TileIn(direction_ + i); }
 
  private:
   size_t items_ = 0;
   HWY_ALIGN float direction_[3 * kTileItems];
   HWY_ALIGN float state_[kStatePlanes * kTileItems];
 };
+
+// Planes of a band of the highest order.
+inline constexpr size_t kMaxBandPlanes = 2 * kMaxOrder - 1;
 
 }  // namespace gaunt::basis::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

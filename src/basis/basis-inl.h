@@ -106,8 +106,86 @@ struct Eval {
   }
 };
 
-// y_lm of one direction for first <= |m| < last and |m| <= l < order, for any order. Columns go in
-// pairs: one recurrence alone would wait for its own results.
+// Any order goes by loops over the same recurrences, in one of two orders of the same arithmetic:
+// column after column, which keeps a column's values in registers, or band after band, which writes
+// planes in their order.
+
+// Turns q_{l-1}^m into q_l^m, and q_{l-2} into q_{l-1}.
+template <class K, class V>
+GAUNT_LANES void Advance(const K& k, int l, int m, V z, V& q, V& below) {
+  const Step& step = kBands.steps[StepIndex(l, m)];
+  const V next = MulSub(Mul(k(step.forward), z), q, Mul(k(step.backward), below));
+  below = q;
+  q = next;
+}
+
+template <class V, class Out>
+GAUNT_LANES void EmitPair(int l, int m, V q, V c, V s, Out& out) {
+  out(static_cast<size_t>(CoefficientIndex(l, m)), Mul(q, c));
+  out(static_cast<size_t>(CoefficientIndex(l, -m)), Mul(q, s));
+}
+
+// y_l0 for l < order.
+struct EvalZonal {
+  int order;
+
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& direction, Out&& out) const {
+    using V = typename K::V;
+    const V z = direction(2);
+    V q = k(kBands.sectoral[0]), below = k(0.0);
+    out(0, q);
+    for (int l = 1; l < order; ++l) {
+      Advance(k, l, 0, z, q, below);
+      out(static_cast<size_t>(CoefficientIndex(l, 0)), q);
+    }
+  }
+};
+
+// y_l^+-m and y_l^+-(m+1) for l < order, where both columns exist: one recurrence alone would wait
+// for its own results. c and s are Re and Im of (x + i y)^m, and become those of the power m + 2.
+struct EvalColumnPair {
+  int order;
+  int m;
+
+  template <class K, class V, class Out>
+  GAUNT_LANES void operator()(const K& k, V x, V y, V z, V& c, V& s, Out&& out) const {
+    V c1 = c, s1 = s;
+    Turn(x, y, c1, s1);
+    V q0 = k(kBands.sectoral[m]), below0 = k(0.0);
+    V q1 = k(kBands.sectoral[m + 1]), below1 = k(0.0);
+    EmitPair(m, m, q0, c, s, out);
+    Advance(k, m + 1, m, z, q0, below0);
+    EmitPair(m + 1, m, q0, c, s, out);
+    EmitPair(m + 1, m + 1, q1, c1, s1, out);
+    for (int l = m + 2; l < order; ++l) {
+      Advance(k, l, m, z, q0, below0);
+      Advance(k, l, m + 1, z, q1, below1);
+      EmitPair(l, m, q0, c, s, out);
+      EmitPair(l, m + 1, q1, c1, s1, out);
+    }
+    Turn(x, y, c1, s1);
+    c = c1, s = s1;
+  }
+};
+
+// y_l^+-m for l < order.
+struct EvalColumn {
+  int order;
+  int m;
+
+  template <class K, class V, class Out>
+  GAUNT_LANES void operator()(const K& k, V z, V c, V s, Out&& out) const {
+    V q = k(kBands.sectoral[m]), below = k(0.0);
+    EmitPair(m, m, q, c, s, out);
+    for (int l = m + 1; l < order; ++l) {
+      Advance(k, l, m, z, q, below);
+      EmitPair(l, m, q, c, s, out);
+    }
+  }
+};
+
+// y_lm of one direction for first <= |m| < last and |m| <= l < order.
 struct EvalColumns {
   int order;
   int first;
@@ -119,87 +197,25 @@ struct EvalColumns {
     const V x = direction(0), y = direction(1), z = direction(2);
     int m = first;
     if (m == 0) {
-      Zonal(k, z, out);
+      EvalZonal{order}(k, direction, out);
       ++m;
     }
     if (m >= last) return;
-    // Re and Im of (x + i y)^m
     V c = x, s = y;
     for (int power = 1; power < m; ++power) Turn(x, y, c, s);
-    for (; m + 1 < last; m += 2) {
-      V next_c = c, next_s = s;
-      Turn(x, y, next_c, next_s);
-      Pair(k, m, z, c, s, next_c, next_s, out);
-      c = next_c, s = next_s;
-      Turn(x, y, c, s);
-    }
-    if (m < last) Single(k, m, z, c, s, out);
-  }
-
- private:
-  // Turns q_{l-1}^m into q_l^m, and q_{l-2} into q_{l-1}.
-  template <class K, class V>
-  static GAUNT_LANES void Advance(const K& k, int l, int m, V z, V& q, V& below) {
-    const Step& step = kBands.steps[StepIndex(l, m)];
-    const V next = MulSub(Mul(k(step.forward), z), q, Mul(k(step.backward), below));
-    below = q;
-    q = next;
-  }
-
-  template <class K, class V, class Out>
-  GAUNT_LANES void Zonal(const K& k, V z, Out& out) const {
-    V q = k(kBands.sectoral[0]), below = k(0.0);
-    out(0, q);
-    for (int l = 1; l < order; ++l) {
-      Advance(k, l, 0, z, q, below);
-      out(static_cast<size_t>(CoefficientIndex(l, 0)), q);
-    }
-  }
-
-  template <class K, class V, class Out>
-  GAUNT_LANES void Single(const K& k, int m, V z, V c, V s, Out& out) const {
-    V q = k(kBands.sectoral[m]), below = k(0.0);
-    Emit(m, m, q, c, s, out);
-    for (int l = m + 1; l < order; ++l) {
-      Advance(k, l, m, z, q, below);
-      Emit(l, m, q, c, s, out);
-    }
-  }
-
-  // Columns m and m + 1.
-  template <class K, class V, class Out>
-  GAUNT_LANES void Pair(const K& k, int m, V z, V c0, V s0, V c1, V s1, Out& out) const {
-    V q0 = k(kBands.sectoral[m]), below0 = k(0.0);
-    V q1 = k(kBands.sectoral[m + 1]), below1 = k(0.0);
-    Emit(m, m, q0, c0, s0, out);
-    Advance(k, m + 1, m, z, q0, below0);
-    Emit(m + 1, m, q0, c0, s0, out);
-    Emit(m + 1, m + 1, q1, c1, s1, out);
-    for (int l = m + 2; l < order; ++l) {
-      Advance(k, l, m, z, q0, below0);
-      Advance(k, l, m + 1, z, q1, below1);
-      Emit(l, m, q0, c0, s0, out);
-      Emit(l, m + 1, q1, c1, s1, out);
-    }
-  }
-
-  template <class V, class Out>
-  static GAUNT_LANES void Emit(int l, int m, V q, V c, V s, Out& out) {
-    out(static_cast<size_t>(CoefficientIndex(l, m)), Mul(q, c));
-    out(static_cast<size_t>(CoefficientIndex(l, -m)), Mul(q, s));
+    for (; m + 1 < last; m += 2) EvalColumnPair{order, m}(k, x, y, z, c, s, out);
+    if (m < last) EvalColumn{order, m}(k, z, c, s, out);
   }
 };
 
-// Where EvalBand keeps y_lm of band l and of the band before: a band takes the place of the one two
-// below it, and lies in the order of its planes, m = -l .. l.
-constexpr size_t StateIndex(int l, int m) {
-  return static_cast<size_t>(l % 2 * (2 * kMaxOrder - 1) + kMaxOrder - 1 + m);
-}
-inline constexpr int kStatePlanes = 2 * (2 * kMaxOrder - 1);
+// What EvalBand keeps from band to band: q_{l-1} and q_{l-2} of each column, where q_l takes the
+// place of q_{l-2}, and Re and Im of the powers of x + i y.
+constexpr size_t StateQ(int l, int m) { return static_cast<size_t>(l % 2 * kMaxOrder + m); }
+constexpr size_t StateCosine(int m) { return static_cast<size_t>(2 * kMaxOrder + m); }
+constexpr size_t StateSine(int m) { return static_cast<size_t>(3 * kMaxOrder + m); }
+inline constexpr size_t kStatePlanes = 4 * kMaxOrder;
 
-// y_lm of one direction for one band, which follows from the two bands below:
-//   y_l^m = a_lm (z y_{l-1}^m - b_lm y_{l-2}^m),   y_l^+-l from (x + i y) y_{l-1}^+-(l-1).
-// Writes the band to the state and, plane m + l, to `out`.
+// y_lm of one direction for band l, after the bands below it; plane l + m of `out`.
 struct EvalBand {
   int l;
 
@@ -207,43 +223,41 @@ struct EvalBand {
   GAUNT_LANES void operator()(const K& k, const In& direction, const StateIn& before,
                               const StateOut& state, const Out& out) const {
     using V = typename K::V;
-    if (l == 0) return Set(state, out, 0, k(kBands.sectoral[0]));
-    const V z = direction(2);
-    if (l > 1) Set(state, out, 0, Next(k, 0, 0, z, before));
-    for (int m = 1; m + 1 < l; ++m) {
-      Set(state, out, m, Next(k, m, m, z, before));
-      Set(state, out, -m, Next(k, m, -m, z, before));
-    }
-    const V forward = Mul(k(kBands.steps[StepIndex(l, l - 1)].forward), z);
-    V c = before(StateIndex(l - 1, l - 1)), s = before(StateIndex(l - 1, 1 - l));
-    Set(state, out, l - 1, Mul(forward, c));
-    const V x = direction(0), y = direction(1);
-    if (l == 1) {
-      const V sectoral = k(kBands.sectoral[1]);
-      Set(state, out, 1, Mul(sectoral, x));
-      Set(state, out, -1, Mul(sectoral, y));
+    const V sectoral = k(kBands.sectoral[l]);
+    if (l == 0) {
+      state(StateQ(0, 0), sectoral);
+      out(0, sectoral);
       return;
     }
-    Set(state, out, 1 - l, Mul(forward, s));
-    Turn(x, y, c, s);
-    const V promotion = k(kBands.promotion[l]);
-    Set(state, out, l, Mul(promotion, c));
-    Set(state, out, -l, Mul(promotion, s));
+    const V z = direction(2);
+    for (int m = 0; m + 1 < l; ++m) {
+      V q = before(StateQ(l - 1, m)), below = before(StateQ(l, m));
+      Advance(k, l, m, z, q, below);
+      Set(before, state, out, m, q);
+    }
+    const V forward = Mul(k(kBands.steps[StepIndex(l, l - 1)].forward), z);
+    Set(before, state, out, l - 1, Mul(forward, before(StateQ(l - 1, l - 1))));
+    const V x = direction(0), y = direction(1);
+    V c = x, s = y;
+    if (l > 1) {
+      c = before(StateCosine(l - 1)), s = before(StateSine(l - 1));
+      Turn(x, y, c, s);
+    }
+    state(StateCosine(l), c);
+    state(StateSine(l), s);
+    state(StateQ(l, l), sectoral);
+    out(static_cast<size_t>(2 * l), Mul(sectoral, c));
+    out(0, Mul(sectoral, s));
   }
 
  private:
-  template <class StateOut, class Out, class V>
-  GAUNT_LANES void Set(const StateOut& state, const Out& out, int m, V v) const {
-    state(StateIndex(l, m), v);
-    out(static_cast<size_t>(l + m), v);
-  }
-
-  // y_l of column `column` = |m|, from two bands that have it.
-  template <class K, class StateIn, class V>
-  GAUNT_LANES V Next(const K& k, int column, int m, V z, const StateIn& before) const {
-    const Step& step = kBands.steps[StepIndex(l, column)];
-    return MulSub(Mul(k(step.forward), z), before(StateIndex(l - 1, m)),
-                  Mul(k(step.backward), before(StateIndex(l, m))));
+  template <class StateIn, class StateOut, class Out, class V>
+  GAUNT_LANES void Set(const StateIn& before, const StateOut& state, const Out& out, int m,
+                       V q) const {
+    state(StateQ(l, m), q);
+    if (m == 0) return out(static_cast<size_t>(l), q);
+    out(static_cast<size_t>(l + m), Mul(q, before(StateCosine(m))));
+    out(static_cast<size_t>(l - m), Mul(q, before(StateSine(m))));
   }
 };
 
@@ -256,14 +270,14 @@ struct GradientBand {
   int last;
 
   // Plane m - first of dx, dy and dz.
-  template <class K, class In, class State, class Out>
-  GAUNT_LANES void operator()(const K& k, const In& direction, const State& state, const Out& dx,
+  template <class K, class In, class Band, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& direction, const Band& band, const Out& dx,
                               const Out& dy, const Out& dz) const {
     using V = typename K::V;
     const V x = direction(0), y = direction(1), z = direction(2);
     for (int m = first; m < last; ++m) {
       V gx, gy, gz;
-      Generators(k, state, m, gx, gy, gz);
+      Generators(k, band, m, gx, gy, gz);
       const size_t plane = static_cast<size_t>(m - first);
       dx(plane, MulSub(gy, z, Mul(gz, y)));
       dy(plane, MulSub(gz, x, Mul(gx, z)));
@@ -272,44 +286,46 @@ struct GradientBand {
   }
 
  private:
-  template <class K, class State, class V>
-  GAUNT_LANES void Generators(const K& k, const State& state, int m, V& gx, V& gy, V& gz) const {
+  size_t Plane(int m) const { return static_cast<size_t>(l + m); }
+
+  template <class K, class Band, class V>
+  GAUNT_LANES void Generators(const K& k, const Band& band, int m, V& gx, V& gy, V& gz) const {
     const int a = m < 0 ? -m : m;
     if (m == 0) {
-      gx = Mix(k, state, 0, false, -1.0);
-      gy = Mix(k, state, 0, true, 1.0);
+      gx = Mix(k, band, 0, false, -1.0);
+      gy = Mix(k, band, 0, true, 1.0);
       gz = k(0.0);
     } else if (m > 0) {
-      gx = Neg(Mix(k, state, a, false, 1.0));
-      gy = Mix(k, state, a, true, -1.0);
-      gz = Mul(k(-a), state(StateIndex(l, -a)));
+      gx = Neg(Mix(k, band, a, false, 1.0));
+      gy = Mix(k, band, a, true, -1.0);
+      gz = Mul(k(-a), band(Plane(-a)));
     } else {
-      gx = Mix(k, state, a, true, 1.0);
-      gy = Mix(k, state, a, false, -1.0);
-      gz = Mul(k(a), state(StateIndex(l, a)));
+      gx = Mix(k, band, a, true, 1.0);
+      gy = Mix(k, band, a, false, -1.0);
+      gz = Mul(k(a), band(Plane(a)));
     }
   }
 
   // Planes a + 1 and, times `sign`, a - 1, of cosines or of sines, by the ladder's factors. Column 0
   // lacks a factor of sqrt2, and has no sine; for a = 0 both neighbours are one.
-  template <class K, class State>
-  GAUNT_LANES typename K::V Mix(const K& k, const State& state, int a, bool cosine,
+  template <class K, class Band>
+  GAUNT_LANES typename K::V Mix(const K& k, const Band& band, int a, bool cosine,
                                 double sign) const {
     using V = typename K::V;
     constexpr double kRoot2 = ConstexprSqrt(2.0);
     const int side = cosine ? 1 : -1;
     if (l == 0) return k(0.0);
     if (a == 0) {
-      return Mul(k(sign * kRoot2 * kBands.ladder[StepIndex(l, 0)]), state(StateIndex(l, side)));
+      return Mul(k(sign * kRoot2 * kBands.ladder[StepIndex(l, 0)]), band(Plane(side)));
     }
     const bool has_up = a<l, has_down = a> 1 || cosine;
     V mix = k(0.0);
     if (has_down) {
       const double factor = (a == 1 ? kRoot2 : 1.0) * kBands.ladder[StepIndex(l, a - 1)];
-      mix = Mul(k(sign * factor), state(StateIndex(l, side * (a - 1))));
+      mix = Mul(k(sign * factor), band(Plane(side * (a - 1))));
     }
     if (!has_up) return mix;
-    return MulAdd(k(kBands.ladder[StepIndex(l, a)]), state(StateIndex(l, side * (a + 1))), mix);
+    return MulAdd(k(kBands.ladder[StepIndex(l, a)]), band(Plane(side * (a + 1))), mix);
   }
 };
 

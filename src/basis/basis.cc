@@ -20,30 +20,68 @@ void EvalBatch(size_t count, const simd::InView& directions, const simd::OutView
   ForEachBatch(count, Eval<n>(), In<3>(directions), Out<NumCoefficients(n)>(out));
 }
 
-// Band by band, so that every layout is written in the order of its planes.
+// Whole tiles whose planes can be written where they lie, column by column; both groups of a tile
+// before the next columns, so that its cache lines fill up.
+HWY_NOINLINE void EvalTileColumns(int order, const simd::InView& directions, size_t first,
+                                  const simd::OutView& out) {
+  HWY_ALIGN float direction[3 * kTileItems];
+  HWY_ALIGN float cosine[kTileItems], sine[kTileItems];
+  const Lanes k;
+  const LaneTag d;
+  LoadTiles(directions, ShapeOf(directions, 3), first, kTileItems, 3, direction);
+  unsigned char* const to = out.Item(first);
+  for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
+    EvalZonal{order}(k, TileIn(direction + i), PlanesOut{to + i * sizeof(float), out.plane_stride});
+    hn::Store(hn::Load(d, direction + i), d, cosine + i);
+    hn::Store(hn::Load(d, direction + kTileItems + i), d, sine + i);
+  }
+  int m = 1;
+  for (; m + 1 < order; m += 2) {
+    for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
+      const PlanesIn xyz = TileIn(direction + i);
+      auto c = hn::Load(d, cosine + i), s = hn::Load(d, sine + i);
+      EvalColumnPair{order, m}(k, xyz(0), xyz(1), xyz(2), c, s,
+                               PlanesOut{to + i * sizeof(float), out.plane_stride});
+      hn::Store(c, d, cosine + i);
+      hn::Store(s, d, sine + i);
+    }
+  }
+  for (size_t i = 0; m < order && i < kTileItems; i += hn::Lanes(d)) {
+    EvalColumn{order, m}(k, TileIn(direction + i)(2), hn::Load(d, cosine + i),
+                         hn::Load(d, sine + i),
+                         PlanesOut{to + i * sizeof(float), out.plane_stride});
+  }
+}
+
+// Up to 16 directions band by band, so that any layout is written in the order of its planes.
+HWY_NOINLINE void EvalTileBands(int order, const simd::InView& directions, size_t first, size_t n,
+                                bool streams, const simd::OutView& out) {
+  BandTile tile;
+  tile.Load(directions, first, n);
+  for (int l = 0; l < order; ++l) {
+    HWY_ALIGN float band[kMaxBandPlanes * kTileItems];
+    tile.Eval(l, band);
+    const simd::OutView view = out.FromPlane(static_cast<size_t>(l * l));
+    const size_t planes = static_cast<size_t>(2 * l + 1);
+    if (streams && n == kTileItems) {
+      StreamTiles(band, view, ShapeOf(view, planes), first, n, planes);
+    } else {
+      StoreTiles(band, view, ShapeOf(view, planes), first, n, planes);
+    }
+  }
+}
+
 void EvalAnyBatch(int order, size_t count, const simd::InView& directions,
                   const simd::OutView& out) {
-  BandTile tile;
   const size_t planes = static_cast<size_t>(order * order);
   const bool contiguous = out.item_stride == sizeof(float) && out.tile_items % kTileItems == 0;
   const bool streams = contiguous && WorthStreaming(count, planes) && CanStream(out, 0, planes);
   for (size_t first = 0; first < count; first += kTileItems) {
     const size_t n = std::min(kTileItems, count - first);
-    const bool in_place = contiguous && !streams && n % hn::Lanes(LaneTag()) == 0;
-    tile.Load(directions, first, n);
-    for (int l = 0; l < order; ++l) {
-      const simd::OutView band = out.FromPlane(static_cast<size_t>(l * l));
-      if (in_place) {
-        tile.Eval(l, BandPlanes{band.Item(first), band.plane_stride});
-        continue;
-      }
-      tile.Eval(l);
-      const size_t band_planes = static_cast<size_t>(2 * l + 1);
-      if (streams && n == kTileItems) {
-        StreamTiles(tile.Band(l), band, RowShape::kOther, first, n, band_planes);
-      } else {
-        StoreTiles(tile.Band(l), band, ShapeOf(band, band_planes), first, n, band_planes);
-      }
+    if (contiguous && !streams && n == kTileItems) {
+      EvalTileColumns(order, directions, first, out);
+    } else {
+      EvalTileBands(order, directions, first, n, streams, out);
     }
   }
   if (streams) hwy::FlushStream();
@@ -53,14 +91,12 @@ void EvalAnyBatch(int order, size_t count, const simd::InView& directions,
 constexpr int kGradientPlanes = 32;
 
 // A tile's share of a gradient: planes first .. last of a band, to the three outputs.
-HWY_NOINLINE void WriteGradient(const GradientBand& kernel, const BandTile& band, size_t first,
-                                size_t n, const simd::OutView out[3]) {
+HWY_NOINLINE void WriteGradient(const GradientBand& kernel, const BandTile& tile, const float* band,
+                                size_t first, size_t n, const simd::OutView out[3]) {
   HWY_ALIGN float tiles[3][kGradientPlanes * kTileItems];
   for (size_t i = 0; i < n; i += hn::Lanes(LaneTag())) {
-    const auto component = [&](int axis) {
-      return PlanesOut{reinterpret_cast<unsigned char*>(tiles[axis] + i), kTileStride};
-    };
-    kernel(Lanes(), band.Direction(i), band.State(i), component(0), component(1), component(2));
+    kernel(Lanes(), tile.Direction(i), TileIn(band + i), TileOut(tiles[0] + i),
+           TileOut(tiles[1] + i), TileOut(tiles[2] + i));
   }
   const size_t first_plane = static_cast<size_t>(CoefficientIndex(kernel.l, kernel.first));
   const size_t planes = static_cast<size_t>(kernel.last - kernel.first);
@@ -72,15 +108,16 @@ HWY_NOINLINE void WriteGradient(const GradientBand& kernel, const BandTile& band
 
 void GradientBatch(int order, size_t count, const simd::InView& directions, const simd::OutView& dx,
                    const simd::OutView& dy, const simd::OutView& dz) {
-  BandTile tile;
   const simd::OutView out[3] = {dx, dy, dz};
   for (size_t first = 0; first < count; first += kTileItems) {
     const size_t n = std::min(kTileItems, count - first);
+    BandTile tile;
     tile.Load(directions, first, n);
     for (int l = 0; l < order; ++l) {
-      tile.Eval(l);
+      HWY_ALIGN float band[kMaxBandPlanes * kTileItems];
+      tile.Eval(l, band);
       for (int m = -l; m <= l; m += kGradientPlanes) {
-        WriteGradient({l, m, std::min(m + kGradientPlanes, l + 1)}, tile, first, n, out);
+        WriteGradient({l, m, std::min(m + kGradientPlanes, l + 1)}, tile, band, first, n, out);
       }
     }
   }

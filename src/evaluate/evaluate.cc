@@ -62,7 +62,7 @@ void EvaluateBatch(size_t channels, size_t count, const simd::InView& coefficien
 // stack should hold.
 class TileSums {
  public:
-  static constexpr size_t kMostPlanes = 2 * kMaxOrder - 1;
+  static constexpr size_t kMostPlanes = basis::HWY_NAMESPACE::kMaxBandPlanes;
 
   TileSums(size_t first, size_t n) : first_(first), n_(n) {
     std::fill(sums_, sums_ + kMaxChannels * kTileItems, 0.0f);
@@ -78,15 +78,15 @@ class TileSums {
                         n_ % hn::Lanes(LaneTag()) == 0;
     if (!direct && !a.IsBroadcast()) LoadTiles(a, ShapeOf(a, planes), first_, n_, planes, tile);
     for (size_t i = 0; i < n_; i += hn::Lanes(LaneTag())) {
-      const PlanesIn b_in = {Bytes(b + i), kTileStride}, before = {Bytes(sums + i), kTileStride};
-      const PlanesOut sum = {reinterpret_cast<unsigned char*>(sums + i), kTileStride};
+      const PlanesIn b_in = TileIn(b + i), before = TileIn(sums + i);
+      const PlanesOut sum = TileOut(sums + i);
       if (a.IsBroadcast()) {
         kernel(Lanes(), SplatIn{a.data, a.plane_stride}, b_in, before, sum);
       } else if (direct) {
         const unsigned char* item = a.Item(first_) + i * sizeof(float);
         kernel(Lanes(), PlanesIn{item, a.plane_stride}, b_in, before, sum);
       } else {
-        kernel(Lanes(), PlanesIn{Bytes(tile + i), kTileStride}, b_in, before, sum);
+        kernel(Lanes(), TileIn(tile + i), b_in, before, sum);
       }
     }
   }
@@ -96,10 +96,6 @@ class TileSums {
   }
 
  private:
-  static const unsigned char* Bytes(const float* at) {
-    return reinterpret_cast<const unsigned char*>(at);
-  }
-
   size_t first_;
   size_t n_;
   HWY_ALIGN float sums_[kMaxChannels * kTileItems];
@@ -114,12 +110,12 @@ void EvaluateAnyBatch(int order, size_t channels, size_t count, const simd::InVi
     TileSums sums(first, n);
     tile.Load(directions, first, n);
     for (int l = 0; l < order; ++l) {
-      tile.Eval(l);
+      HWY_ALIGN float band[basis::HWY_NAMESPACE::kMaxBandPlanes * kTileItems];
+      tile.Eval(l, band);
       const double weight = Quantity::Band(l);
       for (size_t c = 0; weight != 0.0 && c < channels; ++c) {
         const size_t plane = c * static_cast<size_t>(order * order) + static_cast<size_t>(l * l);
-        sums.Add(c, coefficients.FromPlane(plane), tile.Band(l), static_cast<size_t>(2 * l + 1),
-                 weight);
+        sums.Add(c, coefficients.FromPlane(plane), band, static_cast<size_t>(2 * l + 1), weight);
       }
     }
     sums.Store(out, channels);

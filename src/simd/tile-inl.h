@@ -28,9 +28,18 @@ GAUNT_LANES Float* InTiles(Float* tile, size_t planes, size_t i) {
   return tile + i / kTileItems * planes * kTileItems + i % kTileItems;
 }
 
-// The layouts that the fast conversions know: contiguous planes per item.
+// Planes of a tile, from an item on.
+GAUNT_LANES PlanesIn TileIn(const float* tile) {
+  return {reinterpret_cast<const unsigned char*>(tile), kTileStride};
+}
+GAUNT_LANES PlanesOut TileOut(float* tile) {
+  return {reinterpret_cast<unsigned char*>(tile), kTileStride};
+}
+
+// The layouts that the fast conversions know: contiguous items per plane, or planes per item.
 enum class RowShape {
   kOther,    // any strides
+  kPlanes,   // contiguous items
   kRows,     // at least four planes
   kTriples,  // three
   kPacked3,  // three, back to back
@@ -40,7 +49,9 @@ enum class RowShape {
 template <typename View>
 RowShape ShapeOf(const View& view, size_t planes) {
   const bool one_run = view.tile_items == 0 || view.tile_items % hn::Lanes(LaneTag()) == 0;
-  if (!GAUNT_TRANSPOSES || view.plane_stride != 4 || !one_run) return RowShape::kOther;
+  if (!one_run) return RowShape::kOther;
+  if (view.item_stride == sizeof(float)) return RowShape::kPlanes;
+  if (!GAUNT_TRANSPOSES || view.plane_stride != 4) return RowShape::kOther;
 #if GAUNT_WIDE_TRANSPOSES
   if (view.tile_items == 0 && view.item_stride == static_cast<ptrdiff_t>(planes * sizeof(float))) {
     if (planes == 3) return RowShape::kPacked3;
@@ -162,7 +173,15 @@ inline HWY_NOINLINE void LoadTiles(const simd::InView& view, RowShape shape, siz
                                    size_t planes, float* HWY_RESTRICT tile) {
   const size_t lanes = hn::Lanes(LaneTag());
   size_t i = shape == RowShape::kOther ? 0 : n / lanes * lanes;
-  if (i != 0) LoadGroups(view, shape, first, i, planes, tile);
+  if (shape == RowShape::kPlanes) {
+    for (size_t at = 0; at < i; at += lanes) {
+      const PlanesIn from = {view.Item(first + at), view.plane_stride};
+      const PlanesOut to = TileOut(InTiles(tile, planes, at));
+      for (size_t p = 0; p < planes; ++p) to(p, from(p));
+    }
+  } else if (i != 0) {
+    LoadGroups(view, shape, first, i, planes, tile);
+  }
   for (; i < n; i += lanes) {
     float* const group = InTiles(tile, planes, i);
     for (size_t lane = 0; lane < lanes; ++lane) {
@@ -179,7 +198,15 @@ inline HWY_NOINLINE void StoreTiles(const float* HWY_RESTRICT tile, const simd::
                                     RowShape shape, size_t first, size_t n, size_t planes) {
   const size_t lanes = hn::Lanes(LaneTag());
   size_t i = shape == RowShape::kOther ? 0 : n / lanes * lanes;
-  if (i != 0) StoreGroups(tile, view, shape, first, i, planes);
+  if (shape == RowShape::kPlanes) {
+    for (size_t at = 0; at < i; at += lanes) {
+      const PlanesIn from = TileIn(InTiles(tile, planes, at));
+      const PlanesOut to = {view.Item(first + at), view.plane_stride};
+      for (size_t p = 0; p < planes; ++p) to(p, from(p));
+    }
+  } else if (i != 0) {
+    StoreGroups(tile, view, shape, first, i, planes);
+  }
   for (; i < n; ++i) {
     const float* const from = InTiles(tile, planes, i);
     unsigned char* item = view.Item(first + i);
