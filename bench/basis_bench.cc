@@ -49,8 +49,10 @@ GAUNT_BENCHMARKS(basis) {
     RegisterBatch(batch);
   }
   for (const uint32_t n : {3, 6, 10}) {
+    const bool unrolled = n <= basis::kMaxUnrolledGradient;
     BatchBenchmark batch = BasisBenchmark("gradient", n, "bands");
-    batch.operations = OperationsOf("basis_gradient", std::to_string(n), "bands");
+    batch.operations =
+        OperationsOf("basis_gradient", std::to_string(n), unrolled ? "unrolled" : "bands");
     batch.outputs = {n * n, n * n, n * n};
     batch.call = [n](size_t count, const BatchBenchmark::Views& in,
                      const BatchBenchmark::Views& out) {

@@ -5,6 +5,7 @@
 
 using gaunt::basis::Kernels;
 using gaunt::basis::kMaxUnrolled;
+using gaunt::basis::kMaxUnrolledGradient;
 using gaunt::capi::InputOf;
 using gaunt::capi::InRange;
 using gaunt::capi::MemoryCheck;
@@ -37,8 +38,14 @@ gaunt_status gaunt_basis_gradient(uint32_t n, size_t count, const gaunt_view* di
                   .Out(d_dz, n * n)
                   .status());
   if (count == 0) return GAUNT_OK;
-  Kernels().gradient(static_cast<int>(n), count, InputOf(*directions, count),
-                     OutputOf(*d_dx, count), OutputOf(*d_dy, count), OutputOf(*d_dz, count));
+  const gaunt::simd::InView in = InputOf(*directions, count);
+  const gaunt::simd::OutView dx = OutputOf(*d_dx, count), dy = OutputOf(*d_dy, count),
+                             dz = OutputOf(*d_dz, count);
+  if (n <= kMaxUnrolledGradient) {
+    Kernels().gradient[n](count, in, dx, dy, dz);
+  } else {
+    Kernels().gradient_any(static_cast<int>(n), count, in, dx, dy, dz);
+  }
   return GAUNT_OK;
 }
 

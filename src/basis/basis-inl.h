@@ -329,6 +329,37 @@ struct GradientBand {
   }
 };
 
+// The gradient of all bands l < n, unrolled.
+template <int n>
+struct EvalGradient {
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& direction, const Out& dx, const Out& dy,
+                              const Out& dz) const {
+    typename K::template Slots<NumCoefficients(n)> y;
+    Eval<n>()(k, direction, y);
+    Coefficient<0>(k, direction, y, dx, dy, dz);
+  }
+
+ private:
+  template <class Slots>
+  struct BandOfSlots {
+    const Slots& slots;
+    size_t first;
+    GAUNT_LANES auto operator()(size_t p) const { return slots(first + p); }
+  };
+
+  template <int i, class K, class In, class Slots, class Out>
+  GAUNT_LANES void Coefficient(const K& k, const In& direction, const Slots& y, const Out& dx,
+                               const Out& dy, const Out& dz) const {
+    if constexpr (i < NumCoefficients(n)) {
+      constexpr int l = BandOf(i), m = i - CoefficientIndex(l, 0);
+      GradientBand{l, m, m + 1}(k, direction, BandOfSlots<Slots>{y, l * l}, dx.From(i), dy.From(i),
+                                dz.From(i));
+      Coefficient<i + 1>(k, direction, y, dx, dy, dz);
+    }
+  }
+};
+
 // d / |d|, or (0, 0, 1) where d is zero or not finite. Scaled by the largest component first, so that
 // nothing overflows or underflows on the way.
 struct Normalize {

@@ -106,8 +106,16 @@ HWY_NOINLINE void WriteGradient(const GradientBand& kernel, const BandTile& tile
   }
 }
 
-void GradientBatch(int order, size_t count, const simd::InView& directions, const simd::OutView& dx,
+template <int n>
+void GradientBatch(size_t count, const simd::InView& directions, const simd::OutView& dx,
                    const simd::OutView& dy, const simd::OutView& dz) {
+  using Component = Out<NumCoefficients(n)>;
+  ForEachBatch(count, EvalGradient<n>(), In<3>(directions), Component(dx), Component(dy),
+               Component(dz));
+}
+
+void GradientAnyBatch(int order, size_t count, const simd::InView& directions,
+                      const simd::OutView& dx, const simd::OutView& dy, const simd::OutView& dz) {
   const simd::OutView out[3] = {dx, dy, dz};
   for (size_t first = 0; first < count; first += kTileItems) {
     const size_t n = std::min(kTileItems, count - first);
@@ -127,13 +135,18 @@ void NormalizeBatch(size_t count, const simd::InView& in, const simd::OutView& o
   ForEachBatch(count, Normalize(), In<3>(in), Out<3>(out));
 }
 
-template <int... n>
-constexpr Table MakeTable(std::integer_sequence<int, 0, n...>) {
-  return {{nullptr, &EvalBatch<n>...}, &EvalAnyBatch, &GradientBatch, &NormalizeBatch};
+template <int... n, int... m>
+constexpr Table MakeTable(std::integer_sequence<int, 0, n...>,
+                          std::integer_sequence<int, 0, m...>) {
+  return {{nullptr, &EvalBatch<n>...},
+          &EvalAnyBatch,
+          {nullptr, &GradientBatch<m>...},
+          &GradientAnyBatch,
+          &NormalizeBatch};
 }
 
 const Table* GetTable() {
-  static constexpr Table kTable = MakeTable(Orders<kMaxUnrolled>());
+  static constexpr Table kTable = MakeTable(Orders<kMaxUnrolled>(), Orders<kMaxUnrolledGradient>());
   return &kTable;
 }
 

@@ -16,6 +16,11 @@ template <int n>
 void AppendUnrolled(OperationRows& rows) {
   rows.push_back({"basis", std::to_string(n), "unrolled",
                   CountKernel(kernels::Eval<n>(), CountPlanes(), CountPlanes())});
+  if constexpr (n <= kMaxUnrolledGradient) {
+    const CountPlanes planes;
+    rows.push_back({"basis_gradient", std::to_string(n), "unrolled",
+                    CountKernel(kernels::EvalGradient<n>(), planes, planes, planes, planes)});
+  }
   if constexpr (n < kMaxUnrolled) AppendUnrolled<n + 1>(rows);
 }
 

@@ -97,22 +97,29 @@ struct Quadratics {
   }
 };
 
-// Their values, by nested multiplication.
+// Values of one item's polynomials, by nested multiplication. The item is part of the kernel, so that
+// a loop over directions keeps it in registers.
+template <int kChannels>
 struct EvaluateQuadratics {
-  size_t channels;
+  float item[kChannels * kQuadraticPlanes];
 
-  template <class K, class InF, class InD, class Out>
-  GAUNT_LANES void operator()(const K&, const InF& polynomials, const InD& direction,
-                              const Out& out) const {
-    using V = typename K::V;
-    const V x = direction(0), y = direction(1), z = direction(2);
-    for (size_t c = 0; c < channels; ++c) {
-      const auto p = polynomials.From(kQuadraticPlanes * c);
-      const V difference = p(kXXYY);
-      V value = MulAdd(z, MulAdd(z, p(kZZ), p(kZ)), p(kOne));
-      value = MulAdd(x, MulAdd(x, difference, MulAdd(y, p(kXY), MulAdd(z, p(kZX), p(kX)))), value);
-      value = MulAdd(y, NegMulAdd(y, difference, MulAdd(z, p(kYZ), p(kY))), value);
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& direction, const Out& out) const {
+    Channel<0>(k, direction(0), direction(1), direction(2), out);
+  }
+
+ private:
+  template <int c, class K, class V, class Out>
+  GAUNT_LANES void Channel(const K& k, V x, V y, V z, const Out& out) const {
+    if constexpr (c < kChannels) {
+      const float* const p = item + c * kQuadraticPlanes;
+      const V difference = k(p[kXXYY]);
+      V value = MulAdd(z, MulAdd(z, k(p[kZZ]), k(p[kZ])), k(p[kOne]));
+      value = MulAdd(x, MulAdd(x, difference, MulAdd(y, k(p[kXY]), MulAdd(z, k(p[kZX]), k(p[kX])))),
+                     value);
+      value = MulAdd(y, NegMulAdd(y, difference, MulAdd(z, k(p[kYZ]), k(p[kY]))), value);
       out(c, value);
+      Channel<c + 1>(k, x, y, z, out);
     }
   }
 };

@@ -16,16 +16,23 @@ HWY_BEFORE_NAMESPACE();
 namespace gaunt::evaluate::HWY_NAMESPACE {
 
 // One function in many directions, of order 3: its polynomial is found once.
-template <class Quantity>
+template <class Quantity, int kChannels>
+void QuadraticBatch(size_t count, const simd::InView& coefficients, const simd::InView& directions,
+                    const simd::OutView& out) {
+  constexpr size_t kPlanes = kChannels * kQuadraticPlanes;
+  EvaluateQuadratics<kChannels> kernel;
+  ForEachBatch(1, Quadratics<Quantity>{kChannels}, In<kChannels * 9>(coefficients),
+               Out<kPlanes>(simd::InterleavedOut(kernel.item, kPlanes)));
+  ForEachBatch(count, kernel, In<3>(directions), Out<kChannels>(out));
+}
+
+template <class Quantity, int... c>
 void QuadraticBatch(size_t channels, size_t count, const simd::InView& coefficients,
-                    const simd::InView& directions, const simd::OutView& out) {
-  constexpr size_t kMost = kMaxChannels * kQuadraticPlanes;
-  float polynomials[kMost];
-  ForEachBatch(1, Quadratics<Quantity>{channels}, In<kMaxChannels * 9>(coefficients, 9 * channels),
-               Out<kMost>(simd::InterleavedOut(polynomials, kMost), kQuadraticPlanes * channels));
-  ForEachBatch(count, EvaluateQuadratics{channels},
-               In<kMost>(simd::BroadcastIn(polynomials), kQuadraticPlanes * channels),
-               In<3>(directions), Out<kMaxChannels>(out, channels));
+                    const simd::InView& directions, const simd::OutView& out,
+                    std::integer_sequence<int, c...>) {
+  using Fn = void (*)(size_t, const simd::InView&, const simd::InView&, const simd::OutView&);
+  static constexpr Fn kBatches[] = {&QuadraticBatch<Quantity, c + 1>...};
+  kBatches[channels - 1](count, coefficients, directions, out);
 }
 
 // Many functions in one direction: its basis is found once.
@@ -47,7 +54,8 @@ void EvaluateBatch(size_t channels, size_t count, const simd::InView& coefficien
   constexpr size_t kCoefficients = NumCoefficients(n);
   if (count > 1) {  // one item is a broadcast too, and should have the bits of one among many
     if (n == 3 && coefficients.IsBroadcast()) {
-      return QuadraticBatch<Quantity>(channels, count, coefficients, directions, out);
+      return QuadraticBatch<Quantity>(channels, count, coefficients, directions, out,
+                                      std::make_integer_sequence<int, kMaxChannels>());
     }
     if (directions.IsBroadcast()) {
       return OneDirectionBatch<n, Quantity>(channels, count, coefficients, directions, out);

@@ -64,12 +64,14 @@ void AppendOperations(OperationRows& rows) {
   }
   for (const size_t channels : {1, 3}) {
     const std::string variant = channels == 1 ? "mono" : "rgb";
-    // One function, many directions: what finding its polynomial takes is shared by all of them.
-    rows.push_back({"evaluate_broadcast", "3", variant,
-                    CountKernel(kernels::EvaluateQuadratics{channels}, planes, planes, planes)});
     rows.push_back({"irradiance_matrix", "3", variant,
                     CountKernel(kernels::Matrix{channels}, planes, planes)});
   }
+  // One function, many directions: what finding its polynomial takes is shared by all of them.
+  rows.push_back({"evaluate_broadcast", "3", "mono",
+                  CountKernel(kernels::EvaluateQuadratics<1>(), planes, planes)});
+  rows.push_back({"evaluate_broadcast", "3", "rgb",
+                  CountKernel(kernels::EvaluateQuadratics<3>(), planes, planes)});
   rows.push_back(
       {"irradiance_constants", "3", "rgb", CountKernel(kernels::Constants(), planes, planes)});
 }
