@@ -149,18 +149,6 @@ struct EvaluateOut {
   float matrix[1];
 };
 
-// The quadratic form of E/pi in (n, 1), from its polynomial.
-void MakeMatrix(const float* constants, float* m) {
-  const float* a = constants;
-  const float* b = constants + 12;
-  const float c = constants[24];
-  const double upper[4][4] = {{2.0 * c, b[0], b[3], a[0]},
-                              {b[0], -2.0 * c, b[1], a[1]},
-                              {b[3], b[1], 2.0 * b[2], a[2]},
-                              {a[0], a[1], a[2], 2.0 * a[3]}};
-  for (size_t i = 0; i < 16; ++i) m[i] = static_cast<float>(0.5 * upper[i / 4][i % 4]);
-}
-
 TEST_P(Shader, EvaluatesAsTheLibrary) {
   Random random(1);
   std::vector<EvaluateIn> in(kCount);
@@ -192,8 +180,10 @@ TEST_P(Shader, EvaluatesAsTheLibrary) {
   ASSERT_EQ(gaunt_irradiance_evaluate(2, 3, kCount, &f2, &d, &irradiance_2), GAUNT_OK);
   ASSERT_EQ(gaunt_irradiance_evaluate(3, 3, kCount, &f3, &d, &irradiance_3), GAUNT_OK);
   ASSERT_EQ(gaunt_irradiance_constants(3, kCount, &f3, &constants), GAUNT_OK);
+  // The matrix of the first channel: planes of records, as the channel's coefficients are.
+  const gaunt_view matrix = View(in, &EvaluateIn::matrix);
+  ASSERT_EQ(gaunt_irradiance_matrix(3, 1, kCount, &f3, &matrix), GAUNT_OK);
   for (size_t i = 0; i < kCount; ++i) {
-    MakeMatrix(wanted[i].constants, in[i].matrix);
     std::copy_n(wanted[i].sh3_irradiance, 3, wanted[i].irradiance);
     wanted[i].matrix[0] = wanted[i].sh3_irradiance[0];
   }
