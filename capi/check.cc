@@ -73,7 +73,7 @@ void MemoryCheck::AddView(const gaunt_view* view, size_t planes, Kind kind) {
   if (count_ == 0) return;
   if (view == nullptr || view->data == nullptr) return Fail(GAUNT_ERROR_NULL);
 
-  Memory m = {};
+  Memory& m = memories_[used_];  // in place: copies of it cost as much as the checks
   m.is_view = true;
   m.origin = reinterpret_cast<uintptr_t>(view->data);
   m.plane_count = planes;
@@ -114,7 +114,8 @@ void MemoryCheck::AddRecords(const void* data, size_t records, size_t bytes, siz
       !SpanOf(records, static_cast<ptrdiff_t>(stride), &span)) {
     return Fail(GAUNT_ERROR_RANGE);
   }
-  Memory m = {};
+  Memory& m = memories_[used_];
+  m.is_view = false;
   m.origin = reinterpret_cast<uintptr_t>(data);
   m.all = {0, span + static_cast<ptrdiff_t>(bytes)};
   Add(m, kind);
@@ -132,7 +133,7 @@ void MemoryCheck::Add(const Memory& memory, Kind kind) {
       if (!in_place && !Apart(memory, memories_[i])) Fail(GAUNT_ERROR_OVERLAP);
     }
   }
-  memories_[used_++] = memory;
+  ++used_;
 }
 
 // Whether elements of an output are surely distinct: in the order of their strides, each dimension

@@ -93,7 +93,7 @@ constexpr size_t NumTiles(size_t planes) {
 // time, since every line is read before it is written.
 constexpr bool WorthStreaming(size_t count, size_t planes) {
   constexpr size_t kBytes = size_t{32} << 20;
-  return count >= kBytes / (planes * sizeof(float));
+  return count * planes >= kBytes / sizeof(float);
 }
 
 // One view of a batch, and the stack tiles that stand in for it where it cannot be used in place.
