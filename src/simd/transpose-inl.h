@@ -178,9 +178,9 @@ GAUNT_LANES void StoreEight(const float* HWY_RESTRICT tile, size_t tile_stride, 
 
 // Rows of an odd number of floats, back to back: kLanes items are kRow whole vectors. As kRow has no
 // factor in common with kLanes, the floats of a plane lie in distinct lanes of those vectors, and in
-// lane t the planes follow each other round the vectors, by a phase that depends on t alone. So each
-// plane is permuted once, and each lane turned round by its phase, a power of two at a time (after
-// Catanzaro, Keller and Garland 2014). Full vectors are loaded and stored, and nothing else.
+// lane t the planes follow each other round the vectors, by a phase that is a multiple of t. So each
+// plane is permuted once, and each lane turned round by its phase, bit by bit of t (after Catanzaro,
+// Keller and Garland 2014). Full vectors are loaded and stored, and nothing else.
 template <int kRow>
 class OddRows {
  public:
@@ -215,8 +215,7 @@ class OddRows {
  private:
   using V = hn::Vec<LaneTag>;
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(LaneTag()));
-  static constexpr int kStages = kRow <= 2 ? 1 : kRow <= 4 ? 2 : kRow <= 8 ? 3 : 4;
-  static_assert(kRow % 2 == 1 && kRow < 16, "an odd number, of at most kStages bits");
+  static_assert(kRow % 2 == 1, "no factor in common with the lanes");
 
   static constexpr int InverseOfLanes() {
     for (int k = 1; k < kRow; ++k) {
@@ -229,7 +228,6 @@ class OddRows {
   struct Tables {
     HWY_ALIGN int32_t gather[kRow][kLanes];   // lane that holds item i of plane c
     HWY_ALIGN int32_t scatter[kRow][kLanes];  // the inverse
-    HWY_ALIGN int32_t bit[kStages][kLanes];   // bit of the lane's phase: all ones or zero
   };
   static constexpr Tables MakeTables() {
     Tables tables = {};
@@ -240,25 +238,37 @@ class OddRows {
         tables.scatter[c][lane] = i;
       }
     }
-    for (int t = 0; t < kLanes; ++t) {
-      const int phase = t * kInverse % kRow;
-      for (int s = 0; s < kStages; ++s) tables.bit[s][t] = (phase >> s & 1) != 0 ? -1 : 0;
-    }
     return tables;
   }
   static constexpr Tables kTables = MakeTables();
 
-  // Lane t of vector j takes that of vector j + sign * phase(t).
-  template <int kSign>
+  // Lane t of vector j takes that of vector j + kSign * phase(t).
+  template <int kSign, int kBit = 0>
   static GAUNT_LANES void Turn(V (&v)[kRow]) {
-    const hn::RebindToSigned<LaneTag> di;
-    for (int s = 0; s < kStages; ++s) {
-      const auto turns = hn::RebindMask(LaneTag(), hn::MaskFromVec(hn::Load(di, kTables.bit[s])));
+    if constexpr ((1 << kBit) < kLanes) {
+      constexpr int kPhase = (1 << kBit) * kInverse % kRow;
       V turned[kRow];
       for (int j = 0; j < kRow; ++j) {
-        turned[j] = hn::IfThenElse(turns, v[(j + kSign * (1 << s) + kRow * 16) % kRow], v[j]);
+        turned[j] = LanesOfBit<kBit>(v[(j + kSign * kPhase + kRow) % kRow], v[j]);
       }
       for (int j = 0; j < kRow; ++j) v[j] = turned[j];
+      Turn<kSign, kBit + 1>(v);
+    }
+  }
+
+  // `set` in the lanes whose index has the bit, else `clear`.
+  template <int kBit>
+  static GAUNT_LANES V LanesOfBit(V set, V clear) {
+    const LaneTag d;
+    if constexpr (kBit == 0) {
+      return hn::OddEven(set, clear);
+    } else if constexpr (kBit == 1) {
+      const hn::Repartition<uint64_t, LaneTag> pairs;
+      return hn::BitCast(d, hn::OddEven(hn::BitCast(pairs, set), hn::BitCast(pairs, clear)));
+    } else if constexpr ((2 << kBit) == kLanes) {
+      return hn::ConcatUpperLower(d, set, clear);
+    } else {
+      return hn::OddEvenBlocks(set, clear);
     }
   }
 };
