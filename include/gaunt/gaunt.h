@@ -573,6 +573,133 @@ GAUNT_API gaunt_status gaunt_probe_gather(uint32_t format, uint32_t n_out, size_
                                           size_t packed_count, size_t stride,
                                           const gaunt_view* out);
 
+/* ---- convert --------------------------------------------------------------------------------- */
+
+/** Values of the fields of gaunt_convention. They never change. */
+enum {
+  GAUNT_SIGN_CONDON_SHORTLEY = 0, /**< y_1 = c (-y, z, -x), Sloan's */
+  GAUNT_SIGN_POSITIVE = 1         /**< y_1 = c (y, z, x): (-1)^m times Sloan's */
+};
+enum {
+  GAUNT_COEFFICIENTS_ACN = 0, /**< m = -l .. l: y, z, x in band 1 */
+  GAUNT_COEFFICIENTS_SID = 1, /**< m = l, -l, l-1, .. 0: x, y, z in band 1 (Daniel) */
+  GAUNT_COEFFICIENTS_FUMA = 2 /**< m = 0, 1, -1, 2, -2 ..; but x, y, z in band 1. Order <= 4 */
+};
+enum {
+  GAUNT_SCALE_ORTHONORMAL = 0, /**< the integral of y_i^2 over the sphere is 1 */
+  GAUNT_SCALE_N3D = 1,         /**< it is 4 pi: coefficients sqrt(4 pi) times orthonormal ones */
+  GAUNT_SCALE_SN3D = 2, /**< it is 4 pi / (2l+1), Schmidt: coefficients sqrt(4 pi / (2l+1)) */
+  GAUNT_SCALE_FUMA = 3, /**< SN3D times Malham's weights, W by 1/sqrt(2). Order <= 4 */
+  /**
+   * The constants of the basis are in the coefficients: with the positive sign,
+   *   value = c0 + c1 y + c2 z + c3 x + c4 xy + c5 yz + c6 (3zz - 1) + c7 zx + c8 (xx - yy).
+   * Order <= 3.
+   */
+  GAUNT_SCALE_POLYNOMIAL = 4
+};
+enum {
+  GAUNT_QUANTITY_RADIANCE = 0,          /**< L */
+  GAUNT_QUANTITY_RADIANCE_OVER_PI = 1,  /**< L/pi, of which E's formula makes E/pi */
+  GAUNT_QUANTITY_IRRADIANCE = 2,        /**< E */
+  GAUNT_QUANTITY_IRRADIANCE_OVER_PI = 3 /**< E/pi */
+};
+/** Where an axis points, for one who looks forward and stands upright. */
+enum {
+  GAUNT_AXIS_RIGHT = 0,
+  GAUNT_AXIS_LEFT = 1,
+  GAUNT_AXIS_UP = 2,
+  GAUNT_AXIS_DOWN = 3,
+  GAUNT_AXIS_FORWARD = 4,
+  GAUNT_AXIS_BACKWARD = 5
+};
+
+/** What coefficients mean. Fill it with gaunt_convention_preset() and change what differs. */
+typedef struct gaunt_convention {
+  uint32_t struct_size;  /**< sizeof(gaunt_convention) */
+  uint32_t sign;         /**< GAUNT_SIGN_* */
+  uint32_t coefficients; /**< GAUNT_COEFFICIENTS_*: their order in a band */
+  uint32_t scale;    /**< GAUNT_SCALE_*: of the functions that coefficients are projections on */
+  uint32_t quantity; /**< GAUNT_QUANTITY_* */
+  uint32_t axes[3];  /**< GAUNT_AXIS_*: where x, y and z point, three lines. This says which hand
+                              they form, and a change of hand mirrors coefficients, not the scene. */
+  float offset;      /**< value = offset + the sum of coefficients times functions; finite */
+} gaunt_convention;
+
+/**
+ * Conventions of engines and formats, as their own source or specification states them;
+ * tests/golden/README.md names the files and versions. Orders are those of gaunt_convert(), unless
+ * the scale says less.
+ *
+ *   engine     sign      scale        quantity   x         y      z         offset
+ *   GAUNT      CS        orthonormal  L          forward   left   up        0
+ *   D3DX       CS        orthonormal  L          forward   left   up        0
+ *   UNREAL     CS        orthonormal  L          forward   right  up        0
+ *   UNITY      positive  polynomial   E/pi       right     up     forward   0
+ *   GODOT      positive  orthonormal  L/pi       right     up     backward  0
+ *   THREEJS    positive  orthonormal  L          right     up     backward  0
+ *   FILAMENT   positive  polynomial   E/pi       right     up     backward  0
+ *   GAUSSIAN_SPLATS  CS  orthonormal  L          right     down   forward   0.5
+ *   AMBIX      positive  SN3D         L          forward   left   up        0
+ *   FUMA       positive  FuMa         L          forward   left   up        0
+ *
+ * Coefficients of all are in ACN order, but those of FUMA in its own.
+ *   GAUNT            this library; forward is the centre of gaunt_project_equirect()
+ *   D3DX             D3DXSH*, XMSH*. It has no axes of its own; these are gaunt's.
+ *   UNREAL           TSHVector: V
+ *   UNITY            SphericalHarmonicsL2, [channel, coefficient]
+ *   GODOT            probes of LightmapGIData (not its lightmaps)
+ *   THREEJS          SphericalHarmonics3 of a LightProbe, whose getIrradianceAt() is E, not E/pi
+ *   FILAMENT         IndirectLight::Builder::irradiance() and cmgen --sh-shader; seen from outside
+ *                    if the cubemap was mirrored
+ *   GAUSSIAN_SPLATS  .ply of 3D Gaussian splatting: f_dc_c, then f_rest_[c (n^2 - 1) ..]; a colour
+ *                    along the line of sight. A capture may lie any way; these are the axes that
+ *                    tools suppose.
+ *   AMBIX, FUMA      ambisonics
+ * Where coefficients are stored as RGB triples, convert one channel per call, with a plane_stride
+ * of 12.
+ */
+enum {
+  GAUNT_ENGINE_GAUNT = 0,
+  GAUNT_ENGINE_D3DX = 1,
+  GAUNT_ENGINE_UNREAL = 2,
+  GAUNT_ENGINE_UNITY = 3,
+  GAUNT_ENGINE_GODOT = 4,
+  GAUNT_ENGINE_THREEJS = 5,
+  GAUNT_ENGINE_FILAMENT = 6,
+  GAUNT_ENGINE_GAUSSIAN_SPLATS = 7,
+  GAUNT_ENGINE_AMBIX = 8,
+  GAUNT_ENGINE_FUMA = 9
+};
+
+/**
+ * Fills a convention, whose struct_size is set before the call, with that of an engine.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _STRUCT, _RANGE if there is no such engine.
+ */
+GAUNT_API gaunt_status gaunt_convention_preset(uint32_t engine, gaunt_convention* convention);
+
+/**
+ * Turns coefficients of one convention into those of another. The function on the sphere stays what
+ * it is: its value in a direction, given in either's axes, is the same in the quantity of `to`.
+ *
+ * n         order, 1 .. GAUNT_MAX_ORDER; at most 16 where the lines of the two z axes differ, which
+ *           mixes the coefficients of a band; at most 3 from E or E/pi to L or L/pi, because E has
+ *           no band 3; and what the scale and the order of coefficients define
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     items
+ * from, to  conventions of `in` and of `out`
+ * in, out   channels * n^2 planes
+ *
+ * Accuracy:  exact where coefficients only move and change sign: a copy between equal conventions.
+ *            Else sums are double and round once: |error| <= 1 ulp of the result, or 1e-12 of the
+ *            largest term where terms cancel.
+ * Overlap:   in place on `in`.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE (channels, a value without a name, axes on the same
+ * line, an offset that is not finite), _NULL, _STRUCT, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_convert(uint32_t n, uint32_t channels, size_t count,
+                                     const gaunt_convention* from, const gaunt_convention* to,
+                                     const gaunt_view* in, const gaunt_view* out);
+
 #ifdef __cplusplus
 }
 #endif

@@ -188,6 +188,19 @@ inline void ProbeGather(uint32_t format, uint32_t n_out, size_t count, uint32_t 
                                    packed_count, stride, out.get()));
 }
 
+inline gaunt_convention ConventionPreset(uint32_t engine) {
+  gaunt_convention convention = {};
+  convention.struct_size = sizeof(convention);
+  detail::Check("gaunt_convention_preset", gaunt_convention_preset(engine, &convention));
+  return convention;
+}
+
+inline void Convert(uint32_t n, uint32_t channels, size_t count, const gaunt_convention& from,
+                    const gaunt_convention& to, const InView& in, const OutView& out) {
+  detail::Check("gaunt_convert",
+                gaunt_convert(n, channels, count, &from, &to, in.get(), out.get()));
+}
+
 }  // namespace gaunt
 
 #endif  // GAUNT_GAUNT_HPP_

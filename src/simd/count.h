@@ -74,7 +74,16 @@ struct CountLanes {
   struct Slots {
     Counted operator()(size_t) const { return {}; }
     void operator()(size_t, Counted) const {}
+    Slots Planes() const { return {}; }
   };
+
+  template <class In, class Out>
+  void WideSum(const In& in, const uint8_t* source, const double*, int n, double constant,
+               const Out& out, size_t p) const {
+    Counted sum = Mul(Counted(), in(source[0]));
+    for (int t = 1; t < n; ++t) sum = MulAdd(Counted(), in(source[t]), sum);
+    out(p, constant != 0.0 ? Add(sum, Counted()) : sum);
+  }
 };
 
 // Runs `kernel` on counting lanes with as many accessors as it takes.

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 // Kernels are inlined into code of their own target, whose attributes come from the enclosing
@@ -98,8 +99,69 @@ struct Lanes {
     HWY_ALIGN float data[kCount * kMaxLanes];
     GAUNT_LANES V operator()(size_t p) const { return hn::Load(LaneTag(), data + p * kMaxLanes); }
     GAUNT_LANES void operator()(size_t p, V v) { hn::Store(v, LaneTag(), data + p * kMaxLanes); }
+    // The slots as planes, to be read.
+    GAUNT_LANES PlanesIn Planes() const {
+      return {reinterpret_cast<const unsigned char*>(data), kMaxLanes * sizeof(float)};
+    }
   };
+
+  // out(p) = the sum over n terms, at least one, of factor in(source), and of `constant`, in double
+  // precision: it rounds once, to float. Half of the lanes at a time, and both at once, fill the
+  // vectors.
+  GAUNT_LANES void WideSum(const PlanesIn& in, const uint8_t* source, const double* factor, int n,
+                           double constant, const PlanesOut& out, size_t p) const;
 };
+
+#if HWY_HAVE_FLOAT64
+
+using HalfTag = hn::Half<LaneTag>;
+using WideTag = hn::Rebind<double, HalfTag>;
+
+GAUNT_LANES hn::Vec<WideTag> LoadWide(const float* from) {
+  return hn::PromoteTo(WideTag(), hn::LoadU(HalfTag(), from));
+}
+
+GAUNT_LANES void Lanes::WideSum(const PlanesIn& in, const uint8_t* source, const double* factor,
+                                int n, double constant, const PlanesOut& out, size_t p) const {
+  const WideTag d;
+  // Without a second half where a vector is one lane.
+  const size_t half = hn::Lanes(LaneTag()) - hn::Lanes(HalfTag());
+  const auto plane = [&](int t) HWY_ATTR {
+    return reinterpret_cast<const float*>(in.data + source[t] * in.stride);
+  };
+  auto lower = hn::Mul(hn::Set(d, factor[0]), LoadWide(plane(0)));
+  auto upper = hn::Mul(hn::Set(d, factor[0]), LoadWide(plane(0) + half));
+  for (int t = 1; t < n; ++t) {
+    const auto times = hn::Set(d, factor[t]);
+    lower = hn::MulAdd(times, LoadWide(plane(t)), lower);
+    upper = hn::MulAdd(times, LoadWide(plane(t) + half), upper);
+  }
+  if (constant != 0.0) {
+    lower = hn::Add(lower, hn::Set(d, constant));
+    upper = hn::Add(upper, hn::Set(d, constant));
+  }
+  float* to = reinterpret_cast<float*>(out.data + static_cast<ptrdiff_t>(p) * out.stride);
+  hn::StoreU(hn::DemoteTo(HalfTag(), lower), HalfTag(), to);
+  hn::StoreU(hn::DemoteTo(HalfTag(), upper), HalfTag(), to + half);
+}
+
+#else
+
+GAUNT_LANES void Lanes::WideSum(const PlanesIn& in, const uint8_t* source, const double* factor,
+                                int n, double constant, const PlanesOut& out, size_t p) const {
+  HWY_ALIGN float result[kMaxLanes];
+  for (size_t lane = 0; lane < hn::Lanes(LaneTag()); ++lane) {
+    double sum = 0.0;
+    for (int t = 0; t < n; ++t) {
+      const double value = reinterpret_cast<const float*>(in.data + source[t] * in.stride)[lane];
+      sum = t == 0 ? factor[t] * value : sum + factor[t] * value;
+    }
+    result[lane] = static_cast<float>(constant != 0.0 ? sum + constant : sum);
+  }
+  out(p, hn::Load(LaneTag(), result));
+}
+
+#endif
 
 }  // namespace gaunt::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
