@@ -144,7 +144,7 @@ Operation ConvertOperation(const std::string& name, uint32_t n, uint32_t channel
       reference->Apply(in[0].data() + c * planes, out[0].data() + c * planes);
     }
   };
-  operation.tolerance = [=](const Operation::Item& in, size_t) {
+  operation.tolerance = [=](const Operation::Item& in, size_t, size_t) {
     Operation::Item out = {std::vector<double>(channels * planes)};
     double largest = 0.0;
     operation.reference(in, out);
