@@ -38,7 +38,7 @@ Operation EvalOperation(uint32_t n) {
   operation.reference = [n](const Operation::Item& in, Operation::Item& out) {
     basis::EvalReference(static_cast<int>(n), in[0].data(), out[0].data());
   };
-  operation.tolerance = [n](const Operation::Item&, size_t, size_t plane) {
+  operation.tolerance = [n](const Operation::Item&, const Operation::Item&, size_t, size_t plane) {
     return EvalTolerance(static_cast<int>(n), BandOf(static_cast<int>(plane)));
   };
   return operation;
@@ -56,7 +56,7 @@ Operation GradientOperation(uint32_t n) {
     basis::GradientReference(static_cast<int>(n), in[0].data(), gradient.data());
     for (size_t i = 0; i < gradient.size(); ++i) out[i / (n * n)][i % (n * n)] = gradient[i];
   };
-  operation.tolerance = [](const Operation::Item&, size_t, size_t plane) {
+  operation.tolerance = [](const Operation::Item&, const Operation::Item&, size_t, size_t plane) {
     return GradientTolerance(BandOf(static_cast<int>(plane)));
   };
   return operation;
@@ -79,7 +79,9 @@ Operation NormalizeOperation() {
     const double length = std::hypot(in[0][0], in[0][1], in[0][2]);
     for (size_t k = 0; k < 3; ++k) out[0][k] = in[0][k] / length;
   };
-  operation.tolerance = [](const Operation::Item&, size_t, size_t) { return 1.8e-7; };
+  operation.tolerance = [](const Operation::Item&, const Operation::Item&, size_t, size_t) {
+    return 1.8e-7;
+  };
   operation.in_place = {0};
   return operation;
 }

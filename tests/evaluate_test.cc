@@ -51,7 +51,7 @@ Operation EvaluateOperation(uint32_t n, uint32_t channels, bool irradiance) {
           static_cast<int>(n), f, in[1].data());
     }
   };
-  operation.tolerance = [=](const Operation::Item& in, size_t, size_t) {
+  operation.tolerance = [=](const Operation::Item& in, const Operation::Item&, size_t, size_t) {
     const double above_6 = n > 6 ? 1e-8 * std::pow(n, 3.0) : 0.0;
     return (irradiance ? 1e-6 : std::max(2e-6, above_6)) * LargestNorm(in[0], channels);
   };
@@ -72,7 +72,7 @@ Operation ConstantsOperation() {
   operation.reference = [](const Operation::Item& in, Operation::Item& out) {
     evaluate::IrradianceConstantsReference(in[0].data(), out[0].data());
   };
-  operation.tolerance = [](const Operation::Item& in, size_t, size_t) {
+  operation.tolerance = [](const Operation::Item& in, const Operation::Item&, size_t, size_t) {
     double largest = 0.0;
     for (const double f : in[0]) largest = std::max(largest, std::abs(f));
     return 1e-7 * largest;
@@ -112,7 +112,8 @@ Operation DotOperation(uint32_t n, uint32_t channels) {
   operation.reference = [=](const Operation::Item& in, Operation::Item& out) {
     for (size_t p = 0; p < planes; ++p) out[0][p / (n * n)] += in[0][p] * in[1][p];
   };
-  operation.tolerance = [=](const Operation::Item& in, size_t, size_t channel) {
+  operation.tolerance = [=](const Operation::Item& in, const Operation::Item&, size_t,
+                            size_t channel) {
     double magnitude = 0.0;
     for (size_t p = channel * n * n; p < (channel + 1) * n * n; ++p) {
       magnitude += std::abs(in[0][p] * in[1][p]);
@@ -143,7 +144,9 @@ Operation BlendOperation(uint32_t n, uint32_t channels) {
       out[0][p] = (1.0 - in[2][0]) * in[0][p] + in[2][0] * in[1][p];
     }
   };
-  operation.tolerance = [](const Operation::Item&, size_t, size_t) { return 1.2e-7 * 2.0; };
+  operation.tolerance = [](const Operation::Item&, const Operation::Item&, size_t, size_t) {
+    return 1.2e-7 * 2.0;
+  };
   operation.in_place = {0, 1};
   return operation;
 }
@@ -194,7 +197,7 @@ TEST_P(Evaluate, ReachesOrder64) {
     for (size_t i = 0; i < kCount; ++i) {
       wanted[0].assign(1, 0.0);
       operation.reference(items[i], wanted);
-      EXPECT_NEAR(out.Get(i, 0), wanted[0][0], operation.tolerance(items[i], 0, 0));
+      EXPECT_NEAR(out.Get(i, 0), wanted[0][0], operation.tolerance(items[i], wanted, 0, 0));
     }
   }
 }

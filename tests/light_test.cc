@@ -49,7 +49,9 @@ Operation DirectionOperation(uint32_t n, uint32_t channels, std::vector<float> w
     light::DirectionReference(static_cast<int>(n), static_cast<int>(channels), in[0].data(),
                               weights.empty() ? nullptr : exact.data(), out[0].data());
   };
-  operation.tolerance = [](const Operation::Item&, size_t, size_t) { return 4e-7 / 0.3; };
+  operation.tolerance = [](const Operation::Item&, const Operation::Item&, size_t, size_t) {
+    return 4e-7 / 0.3;
+  };
   return operation;
 }
 
@@ -72,7 +74,7 @@ Operation ExtractOperation(uint32_t n, uint32_t channels, uint32_t sense) {
                             sense == GAUNT_SENSE_IRRADIANCE, in[0].data(), in[1].data(),
                             out[0].data(), out[1].data());
   };
-  operation.tolerance = [=](const Operation::Item& in, size_t, size_t) {
+  operation.tolerance = [=](const Operation::Item& in, const Operation::Item&, size_t, size_t) {
     double largest = 0.0;
     for (uint32_t c = 0; c < channels; ++c) {
       double sum = 0.0;

@@ -60,7 +60,9 @@ Operation RotateOperation(uint32_t n, uint32_t channels, By by) {
                               out[0].data() + c * n * n);
     }
   };
-  operation.tolerance = [](const Operation::Item&, size_t, size_t) { return kRotateTolerance; };
+  operation.tolerance = [](const Operation::Item&, const Operation::Item&, size_t, size_t) {
+    return kRotateTolerance;
+  };
   operation.in_place = {1};
   return operation;
 }

@@ -82,7 +82,7 @@ void ExpectMatchesReference(const Operation& operation, const Values& inputs, si
     operation.reference(item, wanted);
     for (size_t s = 0; s < out.size(); ++s) {
       for (size_t p = 0; p < operation.outputs[s]; ++p) {
-        ASSERT_NEAR(out[s].Get(i, p), wanted[s][p], operation.tolerance(item, s, p))
+        ASSERT_NEAR(out[s].Get(i, p), wanted[s][p], operation.tolerance(item, wanted, s, p))
             << operation.name << ": item " << i << " of " << count << ", output " << s << ", plane "
             << p;
       }

@@ -25,7 +25,7 @@ struct Operation {
   // The definition, in double precision.
   std::function<void(const Item& in, Item& out)> reference;
   // Largest error allowed in a plane of an item's output `side`.
-  std::function<double(const Item& in, size_t side, size_t plane)> tolerance;
+  std::function<double(const Item& in, const Item& wanted, size_t side, size_t plane)> tolerance;
   // Inputs that output 0 may be in place of.
   std::vector<size_t> in_place;
 };
