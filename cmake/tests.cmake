@@ -48,8 +48,13 @@ add_test(NAME Examples.Readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE
   -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/hello.c
   -P ${PROJECT_SOURCE_DIR}/tests/readme_test.cmake)
 
-# The command and the installed package, where they are built.
+# The command, real images, and the installed package, where they are built.
 if(GAUNT_TOOLS)
+  # In one process: it reads the images once.
+  add_executable(panorama_test tests/panorama_test.cc tests/support/panorama.cc)
+  gaunt_compile_internal(panorama_test)
+  target_link_libraries(panorama_test PRIVATE gaunt_test_support OpenImageIO::OpenImageIO)
+  add_test(NAME Panorama COMMAND panorama_test)
   add_test(NAME Command COMMAND ${PROJECT_SOURCE_DIR}/tests/command_test.sh
     $<TARGET_FILE:gaunt_command>)
   if(PROJECT_IS_TOP_LEVEL)

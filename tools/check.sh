@@ -48,7 +48,7 @@ run_tests() {
   echo "$((all - bad)) of $all passed"
 }
 
-tools/install_packages.sh $packages_build $packages_test
+tools/install_packages.sh $packages_build $packages_test $packages_panorama
 cmake --preset all-targets
 cmake --build --preset all-targets
 run_tests "g++, all targets of this machine" build/all-targets
