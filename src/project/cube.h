@@ -6,6 +6,7 @@
 
 #include <hwy/base.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,13 +37,43 @@ inline double TexelCentre(size_t i, size_t size) {
   return (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(size) - 1.0;
 }
 
-// Exact solid angle of the texel of side 2 h around (u, v).
-inline double TexelSolidAngle(double u, double v, double h) {
-  const auto corner = [](double x, double y) {
-    return std::atan2(x * y, std::sqrt(x * x + y * y + 1.0));
-  };
-  return corner(u + h, v + h) - corner(u - h, v + h) - corner(u + h, v - h) + corner(u - h, v - h);
-}
+// Exact solid angles of the texels of faces of a small size, of which a quarter will do.
+class SmallFace {
+ public:
+  static constexpr size_t kMaxSize = 15;
+
+  explicit SmallFace(size_t size) : size_(size) {
+    constexpr size_t kCorners = kMaxSize / 2 + 2;
+    const size_t half = (size + 1) / 2;
+    double above[kCorners], below[kCorners];
+    Corners(0, half, above);
+    for (size_t j = 0; j < half; ++j) {
+      Corners(j + 1, half, below);
+      for (size_t i = 0; i < half; ++i) {
+        angles_[j][i] = below[i + 1] - below[i] - above[i + 1] + above[i];
+      }
+      for (size_t i = 0; i <= half; ++i) above[i] = below[i];
+    }
+  }
+
+  double SolidAngle(size_t column, size_t row) const {
+    return angles_[std::min(row, size_ - 1 - row)][std::min(column, size_ - 1 - column)];
+  }
+
+ private:
+  // Solid angles of the rectangles from the middle to the corners 0 .. half of a row of corners.
+  void Corners(size_t row, size_t half, double* corners) const {
+    const double scale = 2.0 / static_cast<double>(size_);
+    const double y = scale * static_cast<double>(row) - 1.0;
+    for (size_t i = 0; i <= half; ++i) {
+      const double x = scale * static_cast<double>(i) - 1.0;
+      corners[i] = std::atan2(x * y, std::sqrt(x * x + y * y + 1.0));
+    }
+  }
+
+  size_t size_;
+  double angles_[kMaxSize / 2 + 1][kMaxSize / 2 + 1];
+};
 
 // The highest order that goes by moments: monomials up to it stay well conditioned.
 inline constexpr int kMaxCubeMomentOrder = 10;
@@ -85,31 +116,11 @@ class CubeMoments {
     }
   }
 
-  // Adds moments in u of two runs of texels, at v and at -v: `sum` and `difference` of the first
-  // and the second. Their u is relative to `centre`. Changes both.
-  void Add(size_t face, double v, double centre, Channels* sum, Channels* difference) {
-    const CubeFace& axes = kCubeFaces[face];
-    const bool flip_u = axes.main.sign != axes.across.sign;
-    v *= axes.main.sign * axes.down.sign;
-    const uint8_t* slot = slots_[face];
-    for (const int degree : {degrees_.even, degrees_.odd}) {
-      if (degree < 0) break;
-      for (Channels* const moments : {sum, difference}) {
-        if (centre != 0.0) Shift(degree, centre, moments);
-        if (flip_u) Flip(degree, moments);
-      }
-      double factor = degree % 2 == 0 ? 1.0 : axes.main.sign;
-      for (int j = 0; j <= degree; ++j, factor *= v) {
-        const Channels* const moments = j % 2 == 0 ? sum : difference;
-        for (int k = 0; k + j <= degree; ++k) {
-          double* const to = sums_[*slot++];
-          for (int c = 0; c < kMaxChannels; ++c) to[c] += factor * moments[k][c];
-        }
-      }
-      sum += degree + 1;
-      difference += degree + 1;
-    }
-  }
+  const CubeDegrees& degrees() const { return degrees_; }
+  // Where the moments of a face go: for the even degree and then the odd one, in the order of powers
+  // of v, and in each of powers of u.
+  const uint8_t* slots(size_t face) const { return slots_[face]; }
+  Channels& operator[](uint8_t slot) { return sums_[slot]; }
 
   // Turns the moments into coefficients, once.
   HWY_NOINLINE void Finish(Pass& pass) {
@@ -142,21 +153,6 @@ class CubeMoments {
 
   static int Slot(int degree, int a, int b) { return a * (2 * degree + 3 - a) / 2 + b; }
   int Odd() const { return (degrees_.even + 1) * (degrees_.even + 2) / 2; }
-
-  // Moments of u' = u + centre, from those of u.
-  static void Shift(int degree, double centre, Channels* moments) {
-    for (int i = 1; i <= degree; ++i) {
-      for (int k = degree; k >= i; --k) {
-        for (int c = 0; c < kMaxChannels; ++c) moments[k][c] += centre * moments[k - 1][c];
-      }
-    }
-  }
-
-  static void Flip(int degree, Channels* moments) {
-    for (int k = 1; k <= degree; k += 2) {
-      for (int c = 0; c < kMaxChannels; ++c) moments[k][c] = -moments[k][c];
-    }
-  }
 
   // Moments of a degree from those of two more: x^2 + y^2 + z^2 = |d|^2. In place: no slot is read
   // after it is written.

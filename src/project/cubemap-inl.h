@@ -34,21 +34,22 @@ struct CubeRows {
 // Numbers per texel of a run, with room for the last vector.
 using RunNumbers = float[kMaxRun + kMaxLanes];
 
-// Faces from this size on have texels small enough for the series of CubeWeights.
-constexpr size_t kLeastSeriesSize = 16;
-
-// Weights of texels first .. first + n of a row.
-HWY_NOINLINE void FillWeights(size_t size, double v, size_t first, size_t n,
+// Weights of texels first .. first + n of row y. `small` knows the solid angles of faces whose
+// texels are too large for the series of CubeWeights.
+HWY_NOINLINE void FillWeights(size_t size, const SmallFace* small, size_t y, size_t first, size_t n,
                               const CubeDegrees& degrees, const RunNumbers& u, RunNumbers& even,
                               RunNumbers& odd) {
-  const double side = 2.0 / static_cast<double>(size);
-  if (size < kLeastSeriesSize) {
+  const double side = 2.0 / static_cast<double>(size), v = TexelCentre(y, size);
+  if (small != nullptr) {
     for (size_t i = 0; i < n; ++i) {
-      const double x = TexelCentre(first + i, size);
-      const double angle = TexelSolidAngle(x, v, 0.5 * side);
-      const double length = std::sqrt(x * x + v * v + 1.0);
-      even[i] = static_cast<float>(angle * std::pow(length, -degrees.even));
-      odd[i] = static_cast<float>(angle * std::pow(length, -degrees.odd));
+      const double x = TexelCentre(first + i, size), angle = small->SolidAngle(first + i, y);
+      const double root = 1.0 / std::sqrt(x * x + v * v + 1.0);
+      double power = angle;
+      for (int k = 0; k < degrees.even; ++k) power *= root;
+      even[i] = static_cast<float>(power);
+      power = angle;
+      for (int k = 0; k < degrees.odd; ++k) power *= root;
+      odd[i] = static_cast<float>(power);
     }
     return;
   }
@@ -66,20 +67,15 @@ struct CubeTables {
   HWY_ALIGN float data[kTableFloats];
 };
 
-// Tables of weights times powers of u, for the texels of a run on row v.
-HWY_NOINLINE void FillCubeTables(size_t size, double v, size_t first, size_t run, double centre,
-                                 size_t pattern, const CubeDegrees& degrees, CubeTables& tables) {
+// Tables of weights times powers of u, for the texels of a run on row y.
+HWY_NOINLINE void FillCubeTables(size_t size, const SmallFace* small, size_t y, size_t first,
+                                 size_t run, size_t pattern, const CubeDegrees& degrees,
+                                 CubeTables& tables) {
   HWY_ALIGN RunNumbers u, even = {}, odd = {};
   for (size_t i = 0; i < run + kMaxLanes; ++i) {
     u[i] = static_cast<float>(TexelCentre(first + i, size));
   }
-  FillWeights(size, v, first, std::min(run, size - first), degrees, u, even, odd);
-  // Far from the middle of the face, powers are taken of what is left of u.
-  if (centre != 0.0) {
-    for (size_t i = 0; i < run + kMaxLanes; ++i) {
-      u[i] = static_cast<float>(TexelCentre(first + i, size) - centre);
-    }
-  }
+  FillWeights(size, small, y, first, std::min(run, size - first), degrees, u, even, odd);
   const LaneTexels lane_texels(pattern);
   const size_t stride = run * pattern;
   for (size_t f = 0; f < stride; f += hn::Lanes(LaneTag())) {
@@ -95,9 +91,37 @@ HWY_NOINLINE void FillCubeTables(size_t size, double v, size_t first, size_t run
   }
 }
 
+// Adds moments in u of two runs of texels of a face, at v and at -v: sums and differences of the
+// first and the second.
+GAUNT_LANES void AddFace(size_t face, double v, const double* sum, const double* difference,
+                         CubeMoments& moments) {
+  const ChannelTag d;
+  const CubeFace& axes = kCubeFaces[face];
+  v *= axes.main.sign * axes.down.sign;
+  const uint8_t* slot = moments.slots(face);
+  for (const int degree : {moments.degrees().even, moments.degrees().odd}) {
+    if (degree < 0) break;
+    double factor = degree % 2 == 0 ? 1.0 : axes.main.sign;
+    for (int j = 0; j <= degree; ++j, factor *= v) {
+      const double factors[2] = {factor, factor * (axes.main.sign * axes.across.sign)};
+      const double* from = j % 2 == 0 ? sum : difference;
+      for (int k = 0; k + j <= degree; ++k, from += kMaxChannels) {
+        double* const to = moments[*slot++];
+        for (size_t c = 0; c < kMaxChannels; c += hn::Lanes(d)) {
+          hn::StoreU(
+              hn::MulAdd(hn::Set(d, factors[k % 2]), hn::LoadU(d, from + c), hn::LoadU(d, to + c)),
+              d, to + c);
+        }
+      }
+    }
+    sum += kMaxChannels * (degree + 1);
+    difference += kMaxChannels * (degree + 1);
+  }
+}
+
 // Moments of the faces. Tables are made once for all faces, and for both of the rows v and -v.
-HWY_NOINLINE void SumCube(int order, size_t channels, const CubeRows& rows, RunBuffer& buffer,
-                          CubeMoments& moments) {
+HWY_NOINLINE void SumCube(int order, size_t channels, const CubeRows& rows, const SmallFace* small,
+                          RunBuffer& buffer, CubeMoments& moments) {
   const CubeDegrees degrees(order);
   const size_t count = degrees.Moments(), size = rows.size();
   const size_t end = rows.first_row + rows.rows();
@@ -114,39 +138,28 @@ HWY_NOINLINE void SumCube(int order, size_t channels, const CubeRows& rows, RunB
     const size_t mirror = size - 1 - y;
     const bool have_mirror = mirror >= rows.first_row && mirror < end && mirror != y;
     if (have_mirror && mirror < y) continue;
-    const double v = TexelCentre(y, size);
     for (size_t first = 0; first < size; first += run) {
-      const double centre = run >= size ? 0.0
-                                        : TexelCentre(first, size) + static_cast<double>(run - 1) /
-                                                                         static_cast<double>(size);
       size_t made_pattern = 0;
       for (size_t f = 0; f < rows.num_faces; ++f) {
         const RowReader& reader = readers[f];
         if (made_pattern != reader.pattern()) {
           made_pattern = reader.pattern();
-          FillCubeTables(size, v, first, run, centre, made_pattern, degrees, tables);
+          FillCubeTables(size, small, y, first, run, made_pattern, degrees, tables);
         }
-        double sum[kMaxCubeMoments][kMaxChannels], difference[kMaxCubeMoments][kMaxChannels];
-        const auto read = [&](size_t row, double(*to)[kMaxChannels]) {
+        double sum[kMaxCubeMoments * kMaxChannels], difference[kMaxCubeMoments * kMaxChannels];
+        const auto read = [&](size_t row, double* to) {
           Stretch main, tail;
           reader.Read(rows.Row(f, row), first, std::min(run, size - first), buffer, main, tail);
-          RowMoments<kMaxCubeMoments>(reader, main, tail, tables.data, run * made_pattern, count,
-                                      to);
+          RowMoments(reader, main, tail, tables.data, run * made_pattern, count, to);
         };
         read(y, sum);
         if (have_mirror) {
           read(mirror, difference);
-          for (size_t i = 0; i < count; ++i) {
-            for (int c = 0; c < kMaxChannels; ++c) {
-              const double above = sum[i][c], below = difference[i][c];
-              sum[i][c] = above + below;
-              difference[i][c] = above - below;
-            }
-          }
+          SumAndDifference(count, sum, difference);
         } else {
-          std::copy(sum[0], sum[count], difference[0]);
+          std::copy(sum, sum + count * kMaxChannels, difference);
         }
-        moments.Add(rows.faces[f].face, v, centre, sum, difference);
+        AddFace(rows.faces[f].face, TexelCentre(y, size), sum, difference, moments);
       }
     }
   }
@@ -159,11 +172,12 @@ HWY_NOINLINE void FinishCube(CubeMoments& moments, size_t channels, Sink& sink) 
   sink.Take(pass);
 }
 
-HWY_NOINLINE void CubemapByMoments(int order, size_t channels, const CubeRows& rows, Sink& sink) {
+HWY_NOINLINE void CubemapByMoments(int order, size_t channels, const CubeRows& rows,
+                                   const SmallFace* small, Sink& sink) {
   CubeMoments moments(order);
   {
     RunBuffer buffer;
-    SumCube(order, channels, rows, buffer, moments);
+    SumCube(order, channels, rows, small, buffer, moments);
   }
   FinishCube(moments, channels, sink);
 }
@@ -175,15 +189,16 @@ struct CubeTile {
   HWY_ALIGN RunNumbers weights;
 };
 
-HWY_NOINLINE void FillDirections(size_t face, size_t size, double v, size_t first, size_t n,
-                                 size_t whole, CubeTile& tile) {
+HWY_NOINLINE void FillDirections(size_t face, size_t size, const SmallFace* small, size_t y,
+                                 size_t first, size_t n, size_t whole, CubeTile& tile) {
   HWY_ALIGN RunNumbers u, unused;
   for (size_t i = 0; i < whole + kMaxLanes; ++i) {
     u[i] = static_cast<float>(TexelCentre(first + i, size));
   }
-  FillWeights(size, v, first, n, CubeDegrees(1), u, tile.weights, unused);
+  FillWeights(size, small, y, first, n, CubeDegrees(1), u, tile.weights, unused);
   std::fill(tile.weights + n, tile.weights + whole, 0.0f);
   const CubeFace& axes = kCubeFaces[face];
+  const double v = TexelCentre(y, size);
   for (size_t i = 0; i < whole; ++i) {
     const double x = TexelCentre(first + i, size);
     const double scale = 1.0 / std::sqrt(x * x + v * v + 1.0);
@@ -193,7 +208,8 @@ HWY_NOINLINE void FillDirections(size_t face, size_t size, double v, size_t firs
   }
 }
 
-HWY_NOINLINE void CubemapByBasis(int order, size_t channels, const CubeRows& rows, Sink& sink) {
+HWY_NOINLINE void CubemapByBasis(int order, size_t channels, const CubeRows& rows,
+                                 const SmallFace* small, Sink& sink) {
   const size_t size = rows.size(), end = rows.first_row + rows.rows();
   CubeTile tile;
   RunBuffer buffer;
@@ -206,7 +222,7 @@ HWY_NOINLINE void CubemapByBasis(int order, size_t channels, const CubeRows& row
             for (size_t first = 0; first < size; first += kMaxRun) {
               const size_t n = std::min(kMaxRun, size - first);
               const size_t whole = RoundUp(n, hn::Lanes(LaneTag()));
-              FillDirections(rows.faces[f].face, size, TexelCentre(y, size), first, n, whole, tile);
+              FillDirections(rows.faces[f].face, size, small, y, first, n, whole, tile);
               Stretch texels;
               reader.ReadCopy(rows.Row(f, y), first, n, buffer, texels);
               for (size_t c = 0; c < block.channels; ++c) {
@@ -230,11 +246,13 @@ HWY_NOINLINE void CubemapByBasis(int order, size_t channels, const CubeRows& row
 void Cubemap(int order, size_t channels, const FaceRows* faces, size_t num_faces, size_t first_row,
              Sink& sink) {
   const CubeRows rows = {faces, num_faces, first_row};
-  if (order <= kMaxCubeMomentOrder) {
-    CubemapByMoments(order, channels, rows, sink);
-  } else {
-    CubemapByBasis(order, channels, rows, sink);
-  }
+  const auto project = [&](const SmallFace* small) {
+    const bool moments = order <= kMaxCubeMomentOrder;
+    (moments ? &CubemapByMoments : &CubemapByBasis)(order, channels, rows, small, sink);
+  };
+  if (rows.size() > SmallFace::kMaxSize) return project(nullptr);
+  const SmallFace small(rows.size());
+  project(&small);
 }
 
 }  // namespace gaunt::project::HWY_NAMESPACE

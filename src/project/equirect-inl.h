@@ -59,6 +59,17 @@ inline void FillFourierTables(const FourierMoments& moments, double phi, double 
   }
 }
 
+// Turns the moments of a cosine and of its sine, by channel, by an angle.
+GAUNT_LANES void Turn(double by_c, double by_s, double* moments) {
+  const ChannelTag d;
+  const auto turn_c = hn::Set(d, by_c), turn_s = hn::Set(d, by_s);
+  for (size_t i = 0; i < kMaxChannels; i += hn::Lanes(d)) {
+    const auto c = hn::LoadU(d, moments + i), s = hn::LoadU(d, moments + kMaxChannels + i);
+    hn::StoreU(hn::NegMulAdd(s, turn_s, hn::Mul(c, turn_c)), d, moments + i);
+    hn::StoreU(hn::MulAdd(c, turn_s, hn::Mul(s, turn_c)), d, moments + kMaxChannels + i);
+  }
+}
+
 // One pass: moments in float over runs, in double over the runs of a row. Runs share one table;
 // each is turned by as much as it is away from the first.
 HWY_NOINLINE void SumEquirect(const RowReader& reader, const EquirectRows& rows,
@@ -81,26 +92,17 @@ HWY_NOINLINE void SumEquirect(const RowReader& reader, const EquirectRows& rows,
   const double step = kPi / static_cast<double>(rows.height);
   for (size_t y = 0; y < image.height; ++y) {
     const unsigned char* const row = image.pixels + static_cast<ptrdiff_t>(y) * image.row_stride;
-    double sums[kMaxTables][kMaxChannels] = {};
+    double sums[kMaxTables * kMaxChannels] = {};
     for (size_t r = runs; r-- > 0;) {
-      for (int m = std::max(moments.first, 1); m < moments.last; ++m) {
-        double* const c = sums[moments.Slot(m)];
-        double* const s = sums[moments.Slot(m) + 1];
-        const double by_c = run_c[m - moments.first], by_s = run_s[m - moments.first];
-        for (int channel = 0; channel < kMaxChannels; ++channel) {
-          const double next = c[channel] * by_c - s[channel] * by_s;
-          s[channel] = c[channel] * by_s + s[channel] * by_c;
-          c[channel] = next;
-        }
+      for (int m = std::max(moments.first, 1); m < moments.last && r + 1 < runs; ++m) {
+        Turn(run_c[m - moments.first], run_s[m - moments.first],
+             sums + kMaxChannels * moments.Slot(m));
       }
       Stretch main, tail;
       reader.Read(row, r * run, std::min(run, image.width - r * run), buffer, main, tail);
-      double here[kMaxTables][kMaxChannels];
-      RowMoments<kMaxTables>(reader, main, tail, tables, stride, count, here);
-      for (size_t i = 0; i < count; ++i) {
-        for (int channel = 0; channel < kMaxChannels; ++channel)
-          sums[i][channel] += here[i][channel];
-      }
+      double here[kMaxTables * kMaxChannels];
+      RowMoments(reader, main, tail, tables, stride, count, here);
+      AddMoments(count, here, sums);
     }
     const double theta = (static_cast<double>(rows.first_row + y) + 0.5) * step;
     const double sin_theta = std::sin(theta);
@@ -108,7 +110,7 @@ HWY_NOINLINE void SumEquirect(const RowReader& reader, const EquirectRows& rows,
     double(*to)[kMaxChannels] = pass.sums;
     legendre.ForEach(std::cos(theta), sin_theta, [&](int, int m, double p) {
       for (size_t i = 0; i < (m == 0 ? 1u : 2u); ++i, ++to) {
-        const double* const from = sums[moments.Slot(m) + i];
+        const double* const from = sums + kMaxChannels * (moments.Slot(m) + i);
         for (int c = 0; c < kMaxChannels; ++c) (*to)[c] += solid_angle * p * from[c];
       }
     });

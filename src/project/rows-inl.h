@@ -195,40 +195,42 @@ struct MomentTables {
   }
 };
 
-// Sums of lanes of equal number modulo 4.
+// Sums of lanes of equal number modulo 4, as doubles.
 template <class D>
-GAUNT_LANES void StoreFolded(D d, hn::Vec<D> v, float* to) {
-#if HWY_HAVE_SCALABLE
+GAUNT_LANES void StoreFolded(D d, hn::Vec<D> v, double* to) {
+#if HWY_TARGET == HWY_SCALAR
+  *to = static_cast<double>(hn::GetLane(v));
+#elif HWY_HAVE_SCALABLE
   HWY_ALIGN float lanes[kMaxLanes];
   hn::Store(v, d, lanes);
-  for (size_t c = 0; c < 4; ++c) to[c] = 0.0f;
-  for (size_t i = 0; i < hn::Lanes(d); ++i) to[i % 4] += lanes[i];
-#elif HWY_TARGET == HWY_SCALAR
-  hn::StoreU(v, d, to);
+  for (size_t c = 0; c < 4; ++c) to[c] = 0.0;
+  for (size_t i = 0; i < hn::Lanes(d); ++i) to[i % 4] += static_cast<double>(lanes[i]);
 #else
   if constexpr (hn::MaxLanes(D()) > 4) {
     const hn::Half<D> half;
     StoreFolded(half, hn::Add(hn::LowerHalf(half, v), hn::UpperHalf(half, v)), to);
   } else {
-    hn::StoreU(v, d, to);
+    HWY_ALIGN float lanes[4];
+    hn::Store(v, d, lanes);
+    for (size_t c = 0; c < 4; ++c) to[c] = static_cast<double>(lanes[c]);
   }
 #endif
 }
 
 struct FoldedOut {
-  float* data;
+  double* data;
   GAUNT_LANES void operator()(size_t i, V v) const { StoreFolded(LaneTag(), v, data + 4 * i); }
 };
 
 template <class Texels, size_t kMoments>
 HWY_NOINLINE void SumRun(const Stretch& main, const Stretch& tail, const MomentTables& tables,
-                         float* folded) {
+                         double* sums) {
   Moments<kMoments>()(Lanes(), Texels{main.data, tables.step}, main.steps,
-                      Texels{tail.data, tables.step}, tail.steps, tables, FoldedOut{folded});
+                      Texels{tail.data, tables.step}, tail.steps, tables, FoldedOut{sums});
 }
 
 using SumRunFn = void (*)(const Stretch& main, const Stretch& tail, const MomentTables& tables,
-                          float* folded);
+                          double* sums);
 // Moments that two chains keep in the registers of a target with 16.
 constexpr size_t kMomentBlock = 6;
 
@@ -237,31 +239,48 @@ constexpr std::array<SumRunFn, sizeof...(i)> SumRunFns(std::index_sequence<i...>
   return {&SumRun<Texels, i + 1>...};
 }
 
-// Sums of the texels of a run times each of the tables, by channel, in the format of `reader`.
-template <size_t kMost>
-void RowMoments(const RowReader& reader, const Stretch& main, const Stretch& tail,
-                const float* tables, size_t stride, size_t moments, double (*sums)[kMaxChannels]) {
+// Sums of the texels of a run times each of the tables: sums[4 i + channel].
+inline void RowMoments(const RowReader& reader, const Stretch& main, const Stretch& tail,
+                       const float* tables, size_t stride, size_t moments, double* sums) {
   static constexpr auto kFlat = SumRunFns<FlatTexels>(std::make_index_sequence<kMomentBlock>());
   static constexpr auto kTriple = SumRunFns<TripleTexels>(std::make_index_sequence<kMomentBlock>());
   const auto& sum = reader.triples() ? kTriple : kFlat;
-  HWY_ALIGN float folded[kMost][4];
-  if (kOneLane) std::fill(folded[0], folded[moments], 0.0f);
   for (size_t first = 0, n; first < moments; first += n) {
     // Blocks of about equal size.
     const size_t blocks = (moments - first + kMomentBlock - 1) / kMomentBlock;
     n = (moments - first + blocks - 1) / blocks;
     for (size_t phase = 0; phase < reader.phases(); ++phase) {
       sum[n - 1]({main.data + phase, main.steps}, {tail.data + phase, tail.steps},
-                 {tables + first * stride + phase, reader.step(), stride}, folded[first] + phase);
+                 {tables + first * stride + phase, reader.step(), stride},
+                 sums + 4 * first + phase);
     }
   }
-  const size_t pattern = kOneLane ? 4 : reader.pattern();
-  for (size_t i = 0; i < moments; ++i) {
-    double* const to = sums[i];
-    for (int c = 0; c < 4; ++c) to[c] = static_cast<double>(folded[i][c]);
-    if (pattern == 4) continue;
-    to[0] += to[2], to[1] += to[3];
-    if (pattern == 1) to[0] += to[1];
+  if (kOneLane || reader.pattern() == 4) return;
+  for (size_t i = 0; i < moments; ++i, sums += 4) {
+    sums[0] += sums[2], sums[1] += sums[3];
+    if (reader.pattern() == 1) sums[0] += sums[1];
+  }
+}
+
+// Vectors of the channels of a moment: no wider than they were stored, or reading them would wait
+// for the stores.
+using ChannelTag = hn::CappedTag<double, kMaxChannels>;
+
+// to += from
+GAUNT_LANES void AddMoments(size_t moments, const double* from, double* to) {
+  const ChannelTag d;
+  for (size_t i = 0; i < kMaxChannels * moments; i += hn::Lanes(d)) {
+    hn::StoreU(hn::Add(hn::LoadU(d, to + i), hn::LoadU(d, from + i)), d, to + i);
+  }
+}
+
+// The sum and the difference of both, in their places.
+GAUNT_LANES void SumAndDifference(size_t moments, double* a, double* b) {
+  const ChannelTag d;
+  for (size_t i = 0; i < kMaxChannels * moments; i += hn::Lanes(d)) {
+    const auto first = hn::LoadU(d, a + i), second = hn::LoadU(d, b + i);
+    hn::StoreU(hn::Add(first, second), d, a + i);
+    hn::StoreU(hn::Sub(first, second), d, b + i);
   }
 }
 
