@@ -147,14 +147,11 @@ HWY_NOINLINE void SumCube(int order, size_t channels, const CubeRows& rows, cons
           FillCubeTables(size, small, y, first, run, made_pattern, degrees, tables);
         }
         double sum[kMaxCubeMoments * kMaxChannels], difference[kMaxCubeMoments * kMaxChannels];
-        const auto read = [&](size_t row, double* to) {
-          Stretch main, tail;
-          reader.Read(rows.Row(f, row), first, std::min(run, size - first), buffer, main, tail);
-          RowMoments(reader, main, tail, tables.data, run * made_pattern, count, to);
-        };
-        read(y, sum);
+        double* const to[2] = {sum, difference};
+        const Run texels = reader.Read(rows.Row(f, y), rows.Row(f, have_mirror ? mirror : y), first,
+                                       std::min(run, size - first), buffer);
+        RowMoments(reader, texels, have_mirror ? 2 : 1, tables.data, run * made_pattern, count, to);
         if (have_mirror) {
-          read(mirror, difference);
           SumAndDifference(count, sum, difference);
         } else {
           std::copy(sum, sum + count * kMaxChannels, difference);
@@ -223,13 +220,11 @@ HWY_NOINLINE void CubemapByBasis(int order, size_t channels, const CubeRows& row
               const size_t n = std::min(kMaxRun, size - first);
               const size_t whole = RoundUp(n, hn::Lanes(LaneTag()));
               FillDirections(rows.faces[f].face, size, small, y, first, n, whole, tile);
-              Stretch texels;
-              reader.ReadCopy(rows.Row(f, y), first, n, buffer, texels);
+              reader.ReadChannels(rows.Row(f, y), first, n, buffer);
               for (size_t c = 0; c < block.channels; ++c) {
-                float* const to = tile.values[block.first_channel + c];
-                for (size_t i = 0; i < n; ++i) {
-                  to[i] = reader.Texel(texels, i)[block.first_channel + c];
-                }
+                const size_t channel = block.first_channel + c;
+                float* const to = tile.values[channel];
+                for (size_t i = 0; i < n; ++i) to[i] = reader.ChannelOf(buffer, i, channel);
                 std::fill(to + n, to + whole, 0.0f);
               }
               sums.Add(

@@ -70,6 +70,26 @@ GAUNT_LANES void Turn(double by_c, double by_s, double* moments) {
   }
 }
 
+// Moments of a row of a panorama, times the functions of its polar angle and its solid angle.
+HWY_NOINLINE void AddRow(size_t row, size_t width, size_t height, const FourierMoments& moments,
+                         const Legendre& legendre, const double* sums, Pass& pass) {
+  const double step = kPi / static_cast<double>(height);
+  const double theta = (static_cast<double>(row) + 0.5) * step, sine = std::sin(theta);
+  const double solid_angle = 4.0 * kPi / static_cast<double>(width) * sine * std::sin(0.5 * step);
+  const ChannelTag d;
+  double(*to)[kMaxChannels] = pass.sums;
+  legendre.ForEach(std::cos(theta), sine, [&](int, int m, double p) HWY_ATTR {
+    const double* from = sums + kMaxChannels * moments.Slot(m);
+    for (size_t i = 0; i < (m == 0 ? 1u : 2u); ++i, ++to, from += kMaxChannels) {
+      for (size_t c = 0; c < kMaxChannels; c += hn::Lanes(d)) {
+        const auto sum = hn::LoadU(d, *to + c);
+        hn::StoreU(hn::MulAdd(hn::Set(d, solid_angle * p), hn::LoadU(d, from + c), sum), d,
+                   *to + c);
+      }
+    }
+  });
+}
+
 // One pass: moments in float over runs, in double over the runs of a row. Runs share one table;
 // each is turned by as much as it is away from the first.
 HWY_NOINLINE void SumEquirect(const RowReader& reader, const EquirectRows& rows,
@@ -89,31 +109,30 @@ HWY_NOINLINE void SumEquirect(const RowReader& reader, const EquirectRows& rows,
     run_s[m - moments.first] = std::sin(m * turn * static_cast<double>(run));
   }
 
-  const double step = kPi / static_cast<double>(rows.height);
-  for (size_t y = 0; y < image.height; ++y) {
-    const unsigned char* const row = image.pixels + static_cast<ptrdiff_t>(y) * image.row_stride;
-    double sums[kMaxTables * kMaxChannels] = {};
+  for (size_t y = 0; y < image.height; y += 2) {
+    const size_t two = std::min<size_t>(2, image.height - y);
+    const unsigned char* const upper = image.pixels + static_cast<ptrdiff_t>(y) * image.row_stride;
+    const unsigned char* const lower = two == 2 ? upper + image.row_stride : upper;
+    double sums[2][kMaxTables * kMaxChannels];
+    for (size_t row = 0; row < two; ++row) std::fill(sums[row], sums[row] + 4 * count, 0.0);
     for (size_t r = runs; r-- > 0;) {
       for (int m = std::max(moments.first, 1); m < moments.last && r + 1 < runs; ++m) {
-        Turn(run_c[m - moments.first], run_s[m - moments.first],
-             sums + kMaxChannels * moments.Slot(m));
+        for (size_t row = 0; row < two; ++row) {
+          Turn(run_c[m - moments.first], run_s[m - moments.first],
+               sums[row] + kMaxChannels * moments.Slot(m));
+        }
       }
-      Stretch main, tail;
-      reader.Read(row, r * run, std::min(run, image.width - r * run), buffer, main, tail);
-      double here[kMaxTables * kMaxChannels];
-      RowMoments(reader, main, tail, tables, stride, count, here);
-      AddMoments(count, here, sums);
+      double here[2][kMaxTables * kMaxChannels];
+      double* const to[2] = {here[0], here[1]};
+      const Run texels =
+          reader.Read(upper, lower, r * run, std::min(run, image.width - r * run), buffer);
+      RowMoments(reader, texels, two, tables, stride, count, to);
+      for (size_t row = 0; row < two; ++row) AddMoments(count, here[row], sums[row]);
     }
-    const double theta = (static_cast<double>(rows.first_row + y) + 0.5) * step;
-    const double sin_theta = std::sin(theta);
-    const double solid_angle = -turn * 2.0 * sin_theta * std::sin(0.5 * step);
-    double(*to)[kMaxChannels] = pass.sums;
-    legendre.ForEach(std::cos(theta), sin_theta, [&](int, int m, double p) {
-      for (size_t i = 0; i < (m == 0 ? 1u : 2u); ++i, ++to) {
-        const double* const from = sums + kMaxChannels * (moments.Slot(m) + i);
-        for (int c = 0; c < kMaxChannels; ++c) (*to)[c] += solid_angle * p * from[c];
-      }
-    });
+    for (size_t row = 0; row < two; ++row) {
+      AddRow(rows.first_row + y + row, image.width, rows.height, moments, legendre, sums[row],
+             pass);
+    }
   }
 }
 

@@ -24,9 +24,10 @@ struct LaneOf {
   using V = typename K::V;
 };
 
-// Sums over steps of texels(step) tables(i, step), for each i < kMoments: first over `main`, then
-// over `tail`. In two chains, so that neighbours do not wait for each other.
-template <size_t kMoments>
+// Sums over steps of texels(row, step) tables(i, step), out(row, i, sum), for each i < kMoments; of
+// the texels of `main` and then of `tail`. Two rows at once share what is read of the tables, and
+// neither waits for itself; one row alone gives the same sums.
+template <size_t kRows, size_t kMoments>
 struct Moments {
   template <class K, class Texels, class Tables, class Out>
   GAUNT_LANES void operator()(const K& k, const Texels& main, size_t main_steps, const Texels& tail,
@@ -48,26 +49,34 @@ struct Moments {
   }
 
   template <class K, class Texels, class Tables, class Out, size_t... i>
-  static GAUNT_LANES void Run(const K&, const Texels& main, size_t main_steps, const Texels& tail,
+  static GAUNT_LANES void Run(const K& k, const Texels& main, size_t main_steps, const Texels& tail,
                               size_t tail_steps, const Tables& tables, Out& out,
-                              std::index_sequence<i...>, typename LaneOf<K, i>::V... even,
-                              typename LaneOf<K, i>::V... odd) {
-    using V = typename K::V;
-    size_t step = 0;
-    for (; step + 2 <= main_steps; step += 2) {
-      const V first = main(step), second = main(step + 1);
-      ((even = MulAdd(first, tables(i, step), even)), ...);
-      ((odd = MulAdd(second, tables(i, step + 1), odd)), ...);
+                              std::index_sequence<i...>, typename LaneOf<K, i>::V... upper,
+                              typename LaneOf<K, i>::V... lower) {
+    for (size_t step = 0; step < main_steps; ++step) {
+      Step(k, main, step, tables, step, std::index_sequence<i...>(), upper..., lower...);
     }
-    if (step < main_steps) {
-      const V last = main(step);
-      ((even = MulAdd(last, tables(i, step), even)), ...);
+    for (size_t step = 0; step < tail_steps; ++step) {
+      Step(k, tail, step, tables, main_steps + step, std::index_sequence<i...>(), upper...,
+           lower...);
     }
-    for (size_t t = 0; t < tail_steps; ++t) {
-      const V texels = tail(t);
-      ((odd = MulAdd(texels, tables(i, main_steps + t), odd)), ...);
-    }
-    (out(i, Add(even, odd)), ...);
+    (out(0, i, upper), ...);
+    if constexpr (kRows == 2) (out(1, i, lower), ...);
+  }
+
+  template <class K, class Texels, class Tables, size_t... i>
+  static GAUNT_LANES void Step(const K& k, const Texels& texels, size_t step, const Tables& tables,
+                               size_t at, std::index_sequence<i...>,
+                               typename LaneOf<K, i>::V&... upper,
+                               typename LaneOf<K, i>::V&... lower) {
+    const typename K::V first = texels(0, step), second = kRows == 2 ? texels(1, step) : k(0.0);
+    (AddBoth(first, second, tables(i, at), upper, lower), ...);
+  }
+
+  template <class V>
+  static GAUNT_LANES void AddBoth(V first, V second, V table, V& upper, V& lower) {
+    upper = MulAdd(first, table, upper);
+    if constexpr (kRows == 2) lower = MulAdd(second, table, lower);
   }
 };
 

@@ -14,12 +14,13 @@ void AppendOperations(OperationRows& rows);
 
 namespace {
 
-// Moments of texels: planes of a table are steps.
-struct CountTables {
+// Texels by row and step, tables by number and step.
+struct CountSteps {
   Counted operator()(size_t, size_t) const { return ++CountedOperations().load, Counted(); }
 };
 struct NoOut {
   void operator()(size_t, Counted) const {}
+  void operator()(size_t, size_t, Counted) const {}
 };
 
 Operations DividedBy(const Operations& o, uint64_t n) {
@@ -30,9 +31,9 @@ Operations DividedBy(const Operations& o, uint64_t n) {
 Operations MomentsPerTexel(uint64_t moments) {
   constexpr uint64_t kSteps = 1024;
   CountedOperations() = Operations();
-  HWY_NAMESPACE::Moments<1>()(CountLanes(), CountPlanes(), kSteps, CountPlanes(), 0, CountTables(),
-                              NoOut());
-  return moments * DividedBy(CountedOperations(), kSteps);
+  HWY_NAMESPACE::Moments<2, 1>()(CountLanes(), CountSteps(), kSteps, CountSteps(), 0, CountSteps(),
+                                 NoOut());
+  return moments * DividedBy(CountedOperations(), 2 * kSteps);
 }
 
 // Weights and tables are made for two rows of six faces; they have as many lanes as the texels.

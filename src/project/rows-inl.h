@@ -29,9 +29,11 @@ constexpr bool kOneLane = HWY_TARGET == HWY_SCALAR;
 
 constexpr size_t RoundUp(size_t n, size_t to) { return (n + to - 1) / to * to; }
 
+// Room for what cannot be used in place, of two rows.
 struct RunBuffer {
-  HWY_ALIGN float floats[kMaxRun * kMaxChannels + kMaxLanes];
-  HWY_ALIGN uint16_t halves[kMaxRun * kMaxChannels + kMaxLanes];
+  static constexpr size_t kFloats = kMaxRun * kMaxChannels + kMaxLanes;
+  HWY_ALIGN float floats[2][kFloats];
+  HWY_ALIGN uint16_t halves[kFloats];
 };
 
 // Bits of f16 to float. In integers where the target has no instruction for it: Highway's own way
@@ -55,10 +57,13 @@ GAUNT_LANES V PromoteHalves(const uint16_t* halves) {
 #endif
 }
 
-// A stretch of texels in steps of whole lanes.
-struct Stretch {
-  const float* data;
-  size_t steps;
+// A run of texels of one row or two, in steps of whole lanes: what can be used in place, and then a
+// copy of the rest.
+struct Run {
+  const float* main[2];
+  const float* tail[2];
+  size_t main_steps;
+  size_t tail_steps;
 };
 
 class RowReader {
@@ -89,53 +94,64 @@ class RowReader {
   // Floats of a table from step to step.
   size_t step() const { return step_; }
 
-  // Texels first .. first + n of a row: what can be used in place, and a copy of the rest. Past the
-  // end, the copy holds zeros.
-  void Read(const unsigned char* row, size_t first, size_t n, RunBuffer& buffer, Stretch& main,
-            Stretch& tail) const {
-    const unsigned char* from = row + static_cast<ptrdiff_t>(first) * pixel_stride_;
-    main = {reinterpret_cast<const float*>(from), 0};
-    if (packed_ && !half_ && !clamp_) {
-      const size_t readable = (width_ - first - 1) * stream_ + channels_;
-      const size_t read = triples() ? step_ : step_texels_ * stream_;
-      if (readable >= read) {
-        main.steps = std::min(n / step_texels_, (readable - read) / (step_texels_ * stream_) + 1);
-      }
-    }
-    const size_t done = main.steps * step_texels_;
-    tail = {buffer.floats, (n - done + step_texels_ - 1) / step_texels_};
-    if (done < n) Copy(from + static_cast<ptrdiff_t>(done) * pixel_stride_, n - done, buffer);
+  // Texels first .. first + n of the rows `upper` and `lower`, which may be one. Past the end, copies
+  // hold zeros.
+  Run Read(const unsigned char* upper, const unsigned char* lower, size_t first, size_t n,
+           RunBuffer& buffer) const {
+    const ptrdiff_t offset = static_cast<ptrdiff_t>(first) * pixel_stride_;
+    const size_t steps = StepsInPlace(first, n), done = steps * step_texels_;
+    const ptrdiff_t rest = offset + static_cast<ptrdiff_t>(done) * pixel_stride_;
+    Run run = {};
+    run.main_steps = steps;
+    run.tail_steps = (n - done + step_texels_ - 1) / step_texels_;
+    run.main[0] = reinterpret_cast<const float*>(upper + offset);
+    run.main[1] = reinterpret_cast<const float*>(lower + offset);
+    run.tail[0] = run.tail[1] = buffer.floats[0];
+    if (done == n) return run;
+    Copy(upper + rest, n - done, buffer.halves, buffer.floats[0]);
+    if (lower == upper) return run;
+    Copy(lower + rest, n - done, buffer.halves, buffer.floats[1]);
+    run.tail[1] = buffer.floats[1];
+    return run;
   }
 
-  // Texel `i` of a tail that holds all of a run.
-  const float* Texel(const Stretch& tail, size_t i) const { return tail.data + i * stream_; }
-
-  // Texels first .. first + n, all of them copied.
-  void ReadCopy(const unsigned char* row, size_t first, size_t n, RunBuffer& buffer,
-                Stretch& tail) const {
-    tail = {buffer.floats, (n + step_texels_ - 1) / step_texels_};
-    Copy(row + static_cast<ptrdiff_t>(first) * pixel_stride_, n, buffer);
+  // A channel of texels first .. first + n of a row.
+  void ReadChannels(const unsigned char* row, size_t first, size_t n, RunBuffer& buffer) const {
+    Copy(row + static_cast<ptrdiff_t>(first) * pixel_stride_, n, buffer.halves, buffer.floats[0]);
+  }
+  float ChannelOf(const RunBuffer& buffer, size_t texel, size_t channel) const {
+    return buffer.floats[0][texel * stream_ + channel];
   }
 
  private:
-  HWY_NOINLINE void Copy(const unsigned char* from, size_t n, RunBuffer& buffer) const {
+  // Steps whose vectors end inside of the row.
+  size_t StepsInPlace(size_t first, size_t n) const {
+    if (!packed_ || half_ || clamp_) return 0;
+    const size_t readable = (width_ - first - 1) * stream_ + channels_;
+    const size_t read = triples() ? step_ : step_texels_ * stream_;
+    if (readable < read) return 0;
+    return std::min(n / step_texels_, (readable - read) / (step_texels_ * stream_) + 1);
+  }
+
+  HWY_NOINLINE void Copy(const unsigned char* from, size_t n, uint16_t* halves,
+                         float* floats) const {
     const LaneTag d;
     const size_t lanes = hn::Lanes(d);
     const size_t end = RoundUp(n, step_texels_) * stream_ + lanes;
     if (half_) {
-      CopyComponents(from, n, end, buffer.halves);
+      CopyComponents(from, n, end, halves);
       for (size_t i = 0; i < end; i += lanes) {
         // The end is whole texels and one vector more.
         if (i + lanes > end) i = end - lanes;
-        hn::StoreU(PromoteHalves(buffer.halves + i), d, buffer.floats + i);
+        hn::StoreU(PromoteHalves(halves + i), d, floats + i);
       }
     } else {
-      CopyComponents(from, n, end, buffer.floats);
+      CopyComponents(from, n, end, floats);
     }
     if (!clamp_) return;
     for (size_t i = 0; i < end; i += lanes) {
       if (i + lanes > end) i = end - lanes;
-      float* const at = buffer.floats + i;
+      float* const at = floats + i;
       hn::StoreU(Clamp()(Lanes(), hn::LoadU(d, at)), d, at);
     }
   }
@@ -168,20 +184,24 @@ class RowReader {
 
 // Vectors of texels in which each texel takes `pattern` lanes.
 struct FlatTexels {
-  const float* data;
+  const float* const* rows;
+  size_t phase;
   size_t step;
-  GAUNT_LANES V operator()(size_t i) const { return hn::LoadU(LaneTag(), data + i * step); }
+  GAUNT_LANES V operator()(size_t row, size_t i) const {
+    return hn::LoadU(LaneTag(), rows[row] + phase + i * step);
+  }
 };
 
 // The same of texels of three floats; the fourth lane holds anything.
 struct TripleTexels {
-  const float* data;
+  const float* const* rows;
+  size_t phase;
   size_t step;
-  GAUNT_LANES V operator()(size_t i) const {
+  GAUNT_LANES V operator()(size_t row, size_t i) const {
     const LaneTag d;
     HWY_ALIGN static constexpr int32_t kSpread[kMaxLanes] = {0, 1, 2, 2, 3, 4,  5,  5,
                                                              6, 7, 8, 8, 9, 10, 11, 11};
-    return hn::TableLookupLanes(hn::LoadU(d, data + i * (step / 4 * 3)),
+    return hn::TableLookupLanes(hn::LoadU(d, rows[row] + i * (step / 4 * 3)),
                                 hn::SetTableIndices(d, kSpread));
   }
 };
@@ -218,47 +238,57 @@ GAUNT_LANES void StoreFolded(D d, hn::Vec<D> v, double* to) {
 }
 
 struct FoldedOut {
-  double* data;
-  GAUNT_LANES void operator()(size_t i, V v) const { StoreFolded(LaneTag(), v, data + 4 * i); }
+  double* const* sums;
+  size_t first;
+  GAUNT_LANES void operator()(size_t row, size_t i, V v) const {
+    StoreFolded(LaneTag(), v, sums[row] + first + 4 * i);
+  }
 };
 
-template <class Texels, size_t kMoments>
-HWY_NOINLINE void SumRun(const Stretch& main, const Stretch& tail, const MomentTables& tables,
-                         double* sums) {
-  Moments<kMoments>()(Lanes(), Texels{main.data, tables.step}, main.steps,
-                      Texels{tail.data, tables.step}, tail.steps, tables, FoldedOut{sums});
+template <class Texels, size_t kRows, size_t kMoments>
+HWY_NOINLINE void SumRun(const Run& run, size_t phase, const MomentTables& tables,
+                         const FoldedOut& out) {
+  // Values of their own: no store changes them.
+  const float* const main[2] = {run.main[0], run.main[1]};
+  const float* const tail[2] = {run.tail[0], run.tail[1]};
+  Moments<kRows, kMoments>()(Lanes(), Texels{main, phase, tables.step}, run.main_steps,
+                             Texels{tail, phase, tables.step}, run.tail_steps, tables, out);
 }
 
-using SumRunFn = void (*)(const Stretch& main, const Stretch& tail, const MomentTables& tables,
-                          double* sums);
+using SumRunFn = void (*)(const Run& run, size_t phase, const MomentTables& tables,
+                          const FoldedOut& out);
 // Moments that two chains keep in the registers of a target with 16.
 constexpr size_t kMomentBlock = 6;
 
-template <class Texels, size_t... i>
+template <class Texels, size_t kRows, size_t... i>
 constexpr std::array<SumRunFn, sizeof...(i)> SumRunFns(std::index_sequence<i...>) {
-  return {&SumRun<Texels, i + 1>...};
+  return {&SumRun<Texels, kRows, i + 1>...};
 }
 
-// Sums of the texels of a run times each of the tables: sums[4 i + channel].
-inline void RowMoments(const RowReader& reader, const Stretch& main, const Stretch& tail,
-                       const float* tables, size_t stride, size_t moments, double* sums) {
-  static constexpr auto kFlat = SumRunFns<FlatTexels>(std::make_index_sequence<kMomentBlock>());
-  static constexpr auto kTriple = SumRunFns<TripleTexels>(std::make_index_sequence<kMomentBlock>());
-  const auto& sum = reader.triples() ? kTriple : kFlat;
+// Sums of the texels of a run times each of the tables, of one row or two: sums[row][4 i + channel].
+inline void RowMoments(const RowReader& reader, const Run& run, size_t rows, const float* tables,
+                       size_t stride, size_t moments, double* const* sums) {
+  using Block = std::make_index_sequence<kMomentBlock>;
+  static constexpr std::array<SumRunFn, kMomentBlock> kFns[2][2] = {
+      {SumRunFns<FlatTexels, 1>(Block()), SumRunFns<FlatTexels, 2>(Block())},
+      {SumRunFns<TripleTexels, 1>(Block()), SumRunFns<TripleTexels, 2>(Block())}};
+  const auto& sum = kFns[reader.triples() ? 1 : 0][rows - 1];
   for (size_t first = 0, n; first < moments; first += n) {
     // Blocks of about equal size.
     const size_t blocks = (moments - first + kMomentBlock - 1) / kMomentBlock;
     n = (moments - first + blocks - 1) / blocks;
     for (size_t phase = 0; phase < reader.phases(); ++phase) {
-      sum[n - 1]({main.data + phase, main.steps}, {tail.data + phase, tail.steps},
-                 {tables + first * stride + phase, reader.step(), stride},
-                 sums + 4 * first + phase);
+      sum[n - 1](run, phase, {tables + first * stride + phase, reader.step(), stride},
+                 {sums, 4 * first + phase});
     }
   }
   if (kOneLane || reader.pattern() == 4) return;
-  for (size_t i = 0; i < moments; ++i, sums += 4) {
-    sums[0] += sums[2], sums[1] += sums[3];
-    if (reader.pattern() == 1) sums[0] += sums[1];
+  for (size_t row = 0; row < rows; ++row) {
+    double* to = sums[row];
+    for (size_t i = 0; i < moments; ++i, to += 4) {
+      to[0] += to[2], to[1] += to[3];
+      if (reader.pattern() == 1) to[0] += to[1];
+    }
   }
 }
 
