@@ -318,8 +318,8 @@ typedef struct gaunt_project_options {
  * options   NULL for defaults
  * out       channels * n^2 planes of 1 item, in the quantity of the texels (radiance)
  *
- * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi, times sqrt(n / 6)
- *            above order 6; sums over rows are double.
+ * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi, at any order: a few
+ *            texels are summed in float, and those sums in double.
  * Overlap:   none is checked; the image must not be the output.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _FORMAT, _STRUCT.
  */
@@ -336,6 +336,11 @@ GAUNT_API gaunt_status gaunt_project_equirect(uint32_t n, uint32_t channels,
  *
  * faces  +X -X +Y -Y +Z -Z, square and of equal size, each with strides and a type of its own
  *
+ * Up to order 10 it takes moments of the faces, 2 n - 1 multiplications a texel and channel; above,
+ * the basis at each texel, n^2.
+ *
+ * Accuracy:  |error| <= e of the mean magnitude of the texels times 4 pi, with e = 2e-6 up to order
+ *            10 and e = 2e-6 + 2e-8 (l+1)^2.5 in band l above.
  * Returns as gaunt_project_equirect(); GAUNT_ERROR_RANGE for faces that are not square or equal.
  */
 GAUNT_API gaunt_status gaunt_project_cubemap(uint32_t n, uint32_t channels,
@@ -353,7 +358,8 @@ GAUNT_API gaunt_status gaunt_project_cubemap(uint32_t n, uint32_t channels,
  * height     rows of the whole panorama, 1 .. 65536
  * sums       channels * n^2 doubles, sums[channel * n^2 + i]: zeros at first
  *
- * Accuracy:  in any split, sums agree to 1e-12 of the mean magnitude of the texels times 4 pi.
+ * Accuracy:  in any split, sums agree to 1e-12 of the mean magnitude of the texels times 4 pi; those
+ *            of cubemaps above order 10 to 2e-6.
  * Overlap:   none is checked; the rows must not be the sums.
  * Returns as gaunt_project_equirect(); GAUNT_ERROR_RANGE for rows that the panorama does not have.
  */
@@ -390,7 +396,7 @@ GAUNT_API gaunt_status gaunt_project_cubemap_rows(uint32_t n, uint32_t channels,
  *
  * A NaN spreads to all coefficients of its channel, or of all, if it is not in a value.
  *
- * Accuracy:  |error| <= 2e-6 of the sum of |weight value|, times n / 6 above order 6; short
+ * Accuracy:  |error| <= 2e-6 + 2e-8 (l+1)^2.5 in band l, of the sum of |weight value|; short
  *            stretches are summed in float, and those in double.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
