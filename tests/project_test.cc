@@ -66,7 +66,7 @@ const std::vector<Style>& Styles() {
 class TestImage {
  public:
   TestImage(uint32_t width, uint32_t height, int channels, const Style& style)
-      : channels_(channels), style_(style), component_(style.type == GAUNT_TEXEL_F16 ? 2 : 4) {
+      : channels_(channels), component_(style.type == GAUNT_TEXEL_F16 ? 2 : 4) {
     const ptrdiff_t pixel = (channels + style.pixel_padding) * component_;
     const ptrdiff_t row = pixel * static_cast<ptrdiff_t>(width) + style.row_padding * component_;
     const size_t bytes =
@@ -116,7 +116,6 @@ class TestImage {
 
  private:
   int channels_;
-  Style style_;
   ptrdiff_t component_;
   std::unique_ptr<GuardedBytes> memory_;
   gaunt_image image_;

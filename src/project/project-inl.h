@@ -24,15 +24,21 @@ struct LaneOf {
   using V = typename K::V;
 };
 
+template <size_t kRows, class Indices>
+struct MomentsAt;
+
 // Sums over steps of texels(row, step) tables(i, step), out(row, i, sum), for each i < kMoments; of
 // the texels of `main` and then of `tail`. Two rows at once share what is read of the tables, and
 // neither waits for itself; one row alone gives the same sums.
 template <size_t kRows, size_t kMoments>
-struct Moments {
+using Moments = MomentsAt<kRows, std::make_index_sequence<kMoments>>;
+
+template <size_t kRows, size_t... i>
+struct MomentsAt<kRows, std::index_sequence<i...>> {
   template <class K, class Texels, class Tables, class Out>
   GAUNT_LANES void operator()(const K& k, const Texels& main, size_t main_steps, const Texels& tail,
                               size_t tail_steps, const Tables& tables, Out&& out) const {
-    Begin(k, main, main_steps, tail, tail_steps, tables, out, std::make_index_sequence<kMoments>());
+    Run(k, main, main_steps, tail, tail_steps, tables, out, Zero<i>(k)..., Zero<i>(k)...);
   }
 
  private:
@@ -41,33 +47,24 @@ struct Moments {
     return k(0.0);
   }
 
-  template <class K, class Texels, class Tables, class Out, size_t... i>
-  static GAUNT_LANES void Begin(const K& k, const Texels& main, size_t main_steps,
-                                const Texels& tail, size_t tail_steps, const Tables& tables,
-                                Out& out, std::index_sequence<i...> all) {
-    Run(k, main, main_steps, tail, tail_steps, tables, out, all, Zero<i>(k)..., Zero<i>(k)...);
-  }
-
-  template <class K, class Texels, class Tables, class Out, size_t... i>
+  template <class K, class Texels, class Tables, class Out>
   static GAUNT_LANES void Run(const K& k, const Texels& main, size_t main_steps, const Texels& tail,
                               size_t tail_steps, const Tables& tables, Out& out,
-                              std::index_sequence<i...>, typename LaneOf<K, i>::V... upper,
+                              typename LaneOf<K, i>::V... upper,
                               typename LaneOf<K, i>::V... lower) {
     for (size_t step = 0; step < main_steps; ++step) {
-      Step(k, main, step, tables, step, std::index_sequence<i...>(), upper..., lower...);
+      Step(k, main, step, tables, step, upper..., lower...);
     }
     for (size_t step = 0; step < tail_steps; ++step) {
-      Step(k, tail, step, tables, main_steps + step, std::index_sequence<i...>(), upper...,
-           lower...);
+      Step(k, tail, step, tables, main_steps + step, upper..., lower...);
     }
     (out(0, i, upper), ...);
     if constexpr (kRows == 2) (out(1, i, lower), ...);
   }
 
-  template <class K, class Texels, class Tables, size_t... i>
+  template <class K, class Texels, class Tables>
   static GAUNT_LANES void Step(const K& k, const Texels& texels, size_t step, const Tables& tables,
-                               size_t at, std::index_sequence<i...>,
-                               typename LaneOf<K, i>::V&... upper,
+                               size_t at, typename LaneOf<K, i>::V&... upper,
                                typename LaneOf<K, i>::V&... lower) {
     const typename K::V first = texels(0, step), second = kRows == 2 ? texels(1, step) : k(0.0);
     (AddBoth(first, second, tables(i, at), upper, lower), ...);

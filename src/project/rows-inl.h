@@ -139,14 +139,20 @@ class RowReader {
     const size_t lanes = hn::Lanes(d);
     const size_t end = RoundUp(n, step_texels_) * stream_ + lanes;
     if (half_) {
-      CopyComponents(from, n, end, halves);
-      for (size_t i = 0; i < end; i += lanes) {
+      size_t i = 0;
+      if (packed_) {
+        const uint16_t* const source = reinterpret_cast<const uint16_t*>(from);
+        const size_t last = (n - 1) * stream_ + channels_;
+        for (; i + lanes <= last; i += lanes) hn::StoreU(PromoteHalves(source + i), d, floats + i);
+      }
+      CopyComponents(from, n, i, end, halves);
+      for (; i < end; i += lanes) {
         // The end is whole texels and one vector more.
         if (i + lanes > end) i = end - lanes;
         hn::StoreU(PromoteHalves(halves + i), d, floats + i);
       }
     } else {
-      CopyComponents(from, n, end, floats);
+      CopyComponents(from, n, 0, end, floats);
     }
     if (!clamp_) return;
     for (size_t i = 0; i < end; i += lanes) {
@@ -156,12 +162,13 @@ class RowReader {
     }
   }
 
-  // Zeros from the last texel to `end`.
+  // From component `first` on, or from somewhere before it; zeros from the last texel to `end`.
   template <typename T>
-  void CopyComponents(const unsigned char* from, size_t n, size_t end, T* to) const {
+  void CopyComponents(const unsigned char* from, size_t n, size_t first, size_t end, T* to) const {
     const size_t last = (n - 1) * stream_ + channels_;
     if (packed_) {
-      std::memcpy(to, from, last * sizeof(T));
+      first -= std::min(first, hn::Lanes(LaneTag()));
+      std::memcpy(to + first, from + first * sizeof(T), (last - first) * sizeof(T));
     } else {
       for (size_t i = 0; i < n; ++i, from += pixel_stride_) {
         for (size_t c = 0; c < channels_; ++c) {
@@ -217,7 +224,7 @@ struct MomentTables {
 
 // Sums of lanes of equal number modulo 4, as doubles.
 template <class D>
-GAUNT_LANES void StoreFolded(D d, hn::Vec<D> v, double* to) {
+GAUNT_LANES void StoreFolded([[maybe_unused]] D d, hn::Vec<D> v, double* to) {
 #if HWY_TARGET == HWY_SCALAR
   *to = static_cast<double>(hn::GetLane(v));
 #elif HWY_HAVE_SCALABLE
