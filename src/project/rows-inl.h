@@ -40,7 +40,8 @@ struct RunBuffer {
 // takes an infinity for a number.
 GAUNT_LANES V PromoteHalves(const uint16_t* halves) {
   const LaneTag d;
-#if HWY_ARCH_ARM_A64 || (HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2)
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && \
+    (HWY_ARCH_ARM_A64 || (HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2))
   const hn::Rebind<hwy::float16_t, LaneTag> half;
   return hn::PromoteTo(d, hn::LoadU(half, reinterpret_cast<const hwy::float16_t*>(halves)));
 #else
