@@ -45,7 +45,7 @@ uint16_t HalfBits(float value) {
                                (mantissa < 1024 ? mantissa : mantissa + ((exponent + 13) << 10)));
 }
 
-// How an image lies in memory. The order of the enumerators of the flags is that of the numbers.
+// How an image lies in memory.
 struct Style {
   uint32_t type;
   int pixel_padding, row_padding;  // channels
@@ -154,12 +154,12 @@ double Light(int face, int x, int y, int c) {
   return HalfValue(static_cast<uint16_t>((11 + (bits >> 4) % 8) << 10 | (bits >> 8 & 1023)));
 }
 
-// The manual's figures: of the mean magnitude of the texels times 4 pi, or of the sum of |weight
-// value|; l is the band. Basis per texel or sample, or not.
+// The manual's figures, of the mean magnitude of the texels times 4 pi or of the sum of |weight
+// value|: by moments, and, in band l, by the basis of each texel or sample.
 double MomentTolerance() { return 2e-6; }
 double BasisTolerance(int l) { return 2e-6 + 2e-8 * std::pow(l + 1.0, 2.5); }
 double CubeTolerance(uint32_t n, int l) { return n <= 10 ? MomentTolerance() : BasisTolerance(l); }
-// Of one row of a face or of a panorama, in any split.
+// Between splits into rows.
 constexpr double kSplitTolerance = 1e-12;
 
 int BandOf(uint32_t n, size_t plane) {
@@ -714,7 +714,7 @@ TEST_P(Project, ANanStaysInItsChannel) {
 }
 
 TEST_P(Project, EveryHalfIsItsNumber) {
-  // All of f16 in one column each of 64 images of one row; the mean of a 1-wide panorama is it.
+  // A panorama of one texel has it as its mean; four at a time, as channels.
   std::vector<uint16_t> all(65536);
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<uint16_t>(i);
   for (uint32_t i = 0; i < 65536; i += 4) {

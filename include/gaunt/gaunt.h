@@ -284,10 +284,12 @@ enum {
  *   -Z    (-u, -v, -1) / |.|     -x             -y
  *
  * The three conventions agree about memory, so one table serves them all:
- *   D3D    subresource 0 .. 5, row 0 at the top. The axes are those of a left-handed world.
- *   GL     GL_TEXTURE_CUBE_MAP_POSITIVE_X .. NEGATIVE_Z; the first row of the data is t = 0, which
- *          the table of sc, tc and ma puts at +y (OpenGL 4.6, section 8.13). The same data in a
- *          right-handed world shows every face mirrored, as from outside the cube.
+ *   D3D    array slices 0 .. 5, row 0 at the top; the world is left-handed. The table is that of
+ *          DirectXMath's SHProjectCubeMap.
+ *   GL     GL_TEXTURE_CUBE_MAP_POSITIVE_X .. NEGATIVE_Z, the first row of the data at t = 0. The
+ *          table is that of sc, tc and ma in EXT_texture_cube_map and in OpenGL 4.6, section 8.13,
+ *          made to agree with Direct3D: in GL's right-handed world, a face seen from inside the cube
+ *          is mirrored.
  *   UNITY  Cubemap.GetPixels(face), CubemapFace 0 .. 5: element i + N j is the texel (i, j) of the
  *          table, unlike a Texture2D, whose first row is the bottom one: faces that were read as a
  *          Texture2D want a negative row stride. (Unity's manual calls the rows of GetPixels top to

@@ -116,7 +116,7 @@ class RowReader {
     return run;
   }
 
-  // A channel of texels first .. first + n of a row.
+  // Texels first .. first + n of a row, all of them copied; ChannelOf() takes them apart.
   void ReadChannels(const unsigned char* row, size_t first, size_t n, RunBuffer& buffer) const {
     Copy(row + static_cast<ptrdiff_t>(first) * pixel_stride_, n, buffer.halves, buffer.floats[0]);
   }
