@@ -48,15 +48,19 @@ void MemoryCheck::Fail(gaunt_status status) {
 gaunt_status MemoryCheck::status() const { return status_; }
 
 MemoryCheck& MemoryCheck::In(const gaunt_view* view, size_t planes) {
-  AddView(view, planes, Kind::kIn);
+  AddView(view, count_, planes, Kind::kIn);
   return *this;
 }
 MemoryCheck& MemoryCheck::Out(const gaunt_view* view, size_t planes) {
-  AddView(view, planes, Kind::kOut);
+  AddView(view, count_, planes, Kind::kOut);
   return *this;
 }
 MemoryCheck& MemoryCheck::OutInPlace(const gaunt_view* view, size_t planes) {
-  AddView(view, planes, Kind::kOutInPlace);
+  AddView(view, count_, planes, Kind::kOutInPlace);
+  return *this;
+}
+MemoryCheck& MemoryCheck::OutItem(const gaunt_view* view, size_t planes) {
+  AddView(view, 1, planes, Kind::kOut);
   return *this;
 }
 MemoryCheck& MemoryCheck::InRecords(const void* data, size_t records, size_t bytes, size_t stride) {
@@ -69,17 +73,17 @@ MemoryCheck& MemoryCheck::OutRecords(const void* data, size_t records, size_t by
   return *this;
 }
 
-void MemoryCheck::AddView(const gaunt_view* view, size_t planes, Kind kind) {
-  if (count_ == 0) return;
+void MemoryCheck::AddView(const gaunt_view* view, size_t count, size_t planes, Kind kind) {
+  if (count == 0) return;
   if (view == nullptr || view->data == nullptr) return Fail(GAUNT_ERROR_NULL);
 
   Memory& m = memories_[used_];  // in place: copies of it cost as much as the checks
   m.is_view = true;
   m.origin = reinterpret_cast<uintptr_t>(view->data);
   m.plane_count = planes;
-  m.tile_items = view->tile_items == 0 ? count_ : std::min(view->tile_items, count_);
+  m.tile_items = view->tile_items == 0 ? count : std::min(view->tile_items, count);
   m.items_in_tile = m.tile_items;
-  m.tiles = m.tile_items == count_ ? 1 : (count_ + m.tile_items - 1) / m.tile_items;
+  m.tiles = m.tile_items == count ? 1 : (count + m.tile_items - 1) / m.tile_items;
   m.item_stride = m.items_in_tile > 1 ? view->item_stride : 0;
   m.tile_stride = m.tiles > 1 ? view->tile_stride : 0;
   m.plane_stride = planes > 1 ? view->plane_stride : 0;

@@ -38,6 +38,8 @@ class MemoryCheck {
   MemoryCheck& Out(const gaunt_view* view, size_t planes);
   // An output that may be the same view as an input of as many planes.
   MemoryCheck& OutInPlace(const gaunt_view* view, size_t planes);
+  // An output of one item, whatever the count.
+  MemoryCheck& OutItem(const gaunt_view* view, size_t planes);
   // `records` of `bytes` each, `stride` apart, any alignment.
   MemoryCheck& InRecords(const void* data, size_t records, size_t bytes, size_t stride);
   MemoryCheck& OutRecords(const void* data, size_t records, size_t bytes, size_t stride);
@@ -60,7 +62,7 @@ class MemoryCheck {
   };
   enum class Kind { kIn, kOut, kOutInPlace };
 
-  void AddView(const gaunt_view* view, size_t planes, Kind kind);
+  void AddView(const gaunt_view* view, size_t count, size_t planes, Kind kind);
   void AddRecords(const void* data, size_t records, size_t bytes, size_t stride, Kind kind);
   void Add(const Memory& memory, Kind kind);
   void Fail(gaunt_status status);

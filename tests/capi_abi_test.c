@@ -30,7 +30,11 @@ int main(void) {
   EXPECT_SAME(GAUNT_SENSE_RADIANCE, 0);
   EXPECT_SAME(GAUNT_SENSE_IRRADIANCE, 1);
   EXPECT_SAME(GAUNT_TEXEL_F32, 0);
+  EXPECT_SAME(GAUNT_TEXEL_F16, 1);
   EXPECT_SAME(GAUNT_PROJECT_CLAMP, 1);
+  EXPECT_SAME(GAUNT_CUBE_D3D, 0);
+  EXPECT_SAME(GAUNT_CUBE_GL, 1);
+  EXPECT_SAME(GAUNT_CUBE_UNITY, 2);
   EXPECT_SAME(GAUNT_REPORT_PLANES, 3);
   EXPECT_SAME(sizeof(gaunt_status), 4);
   EXPECT_SAME(sizeof(gaunt_view), 5 * word);
@@ -44,7 +48,8 @@ int main(void) {
   EXPECT_SAME(offsetof(gaunt_image, pixel_stride), word + 8);
   EXPECT_SAME(offsetof(gaunt_image, row_stride), 2 * word + 8);
   EXPECT_SAME(offsetof(gaunt_image, type), 3 * word + 8);
-  EXPECT_SAME(sizeof(gaunt_project_options), 8);
+  EXPECT_SAME(sizeof(gaunt_project_options), 12);
+  EXPECT_SAME(offsetof(gaunt_project_options, cube), 8);
   EXPECT_SAME(sizeof(gaunt_format_properties), 16);
   EXPECT_SAME(GAUNT_SIGN_CONDON_SHORTLEY, 0);
   EXPECT_SAME(GAUNT_SIGN_POSITIVE, 1);

@@ -2,79 +2,500 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <thread>
 #include <vector>
 
 #include "gaunt/gaunt.h"
 #include "project/project_reference.h"
 #include "tests/support/buffer.h"
+#include "tests/support/guarded.h"
 #include "tests/support/random.h"
 #include "tests/support/targets.h"
 
 namespace gaunt::test {
 namespace {
 
-struct TestImage {
-  std::vector<float> texels;
-  gaunt_image image;
-  int pixel_floats, row_floats;
+const double kPi = std::acos(-1.0);
+const double kSphere = 4.0 * kPi;
 
-  TestImage(uint32_t width, uint32_t height, int channels, int pixel_padding, int row_padding)
-      : pixel_floats(channels + pixel_padding),
-        row_floats(static_cast<int>(width) * pixel_floats + row_padding) {
-    Random random(width * 131 + height);
-    texels.assign(static_cast<size_t>(row_floats) * height, std::nanf(""));
-    for (uint32_t y = 0; y < height; ++y) {
-      for (uint32_t x = 0; x < width; ++x) {
-        for (int c = 0; c < channels; ++c) {
-          At(x, y)[c] = std::exp(random.Between(-3.0, 3.0));
-        }
-      }
-    }
-    image = {texels.data(),  width, height, pixel_floats * ptrdiff_t{4}, row_floats * ptrdiff_t{4},
-             GAUNT_TEXEL_F32};
+double HalfValue(uint16_t bits) {
+  const int exponent = bits >> 10 & 31, mantissa = bits & 1023;
+  const double sign = bits >> 15 ? -1.0 : 1.0;
+  if (exponent == 31) {
+    return mantissa == 0 ? sign * HUGE_VAL : std::numeric_limits<double>::quiet_NaN();
   }
-  float* At(uint32_t x, uint32_t y) {
-    return texels.data() + static_cast<ptrdiff_t>(y) * row_floats +
-           static_cast<ptrdiff_t>(x) * pixel_floats;
-  }
-  double MeanMagnitude(int channels) {
-    double sum = 0.0;
-    for (uint32_t y = 0; y < image.height; ++y) {
-      for (uint32_t x = 0; x < image.width; ++x) {
-        for (int c = 0; c < channels; ++c) sum += std::abs(At(x, y)[c]);
-      }
-    }
-    return sum / (double{1} * image.width * image.height * channels);
-  }
+  return sign *
+         (exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(1024 + mantissa, exponent - 25));
+}
+
+// The bits of a number that f16 has.
+uint16_t HalfBits(float value) {
+  if (std::isnan(value)) return 0x7E00;
+  const uint16_t sign = std::signbit(value) ? 0x8000 : 0;
+  if (std::isinf(value)) return sign | 0x7C00;
+  int exponent;
+  std::frexp(value, &exponent);
+  exponent = std::max(exponent, -13);
+  const int mantissa = static_cast<int>(std::ldexp(std::abs(value), 11 - exponent));
+  return static_cast<uint16_t>(sign |
+                               (mantissa < 1024 ? mantissa : mantissa + ((exponent + 13) << 10)));
+}
+
+// How an image lies in memory.
+struct Style {
+  uint32_t type;
+  int pixel_padding, row_padding;  // channels
+  bool mirror_columns, mirror_rows;
 };
+
+const std::vector<Style>& Styles() {
+  static const std::vector<Style> styles = {
+      {GAUNT_TEXEL_F32, 0, 0, false, false}, {GAUNT_TEXEL_F32, 1, 3, false, false},
+      {GAUNT_TEXEL_F32, 2, 0, false, true},  {GAUNT_TEXEL_F32, 5, 1, false, false},
+      {GAUNT_TEXEL_F32, 0, 1, true, false},  {GAUNT_TEXEL_F32, 3, 0, true, true},
+      {GAUNT_TEXEL_F16, 0, 0, false, false}, {GAUNT_TEXEL_F16, 1, 1, false, false},
+      {GAUNT_TEXEL_F16, 3, 2, false, true},  {GAUNT_TEXEL_F16, 0, 3, true, true}};
+  return styles;
+}
+
+// An image of a style; memory ends where the last texel does, and what is no texel is NaN.
+class TestImage {
+ public:
+  TestImage(uint32_t width, uint32_t height, int channels, const Style& style)
+      : channels_(channels), component_(style.type == GAUNT_TEXEL_F16 ? 2 : 4) {
+    const ptrdiff_t pixel = (channels + style.pixel_padding) * component_;
+    const ptrdiff_t row = pixel * static_cast<ptrdiff_t>(width) + style.row_padding * component_;
+    const size_t bytes =
+        static_cast<size_t>(row * (static_cast<ptrdiff_t>(height) - 1) +
+                            pixel * (static_cast<ptrdiff_t>(width) - 1) + channels * component_);
+    memory_ = std::make_unique<GuardedBytes>(bytes);
+    std::memset(memory_->data(), 0xFF, bytes);
+    char* first = memory_->data();
+    if (style.mirror_columns) first += pixel * (static_cast<ptrdiff_t>(width) - 1);
+    if (style.mirror_rows) first += row * (static_cast<ptrdiff_t>(height) - 1);
+    image_ = {first,
+              width,
+              height,
+              style.mirror_columns ? -pixel : pixel,
+              style.mirror_rows ? -row : row,
+              style.type};
+  }
+  const gaunt_image* image() const { return &image_; }
+
+  void Set(int x, int y, int c, float value) {
+    char* const at = const_cast<char*>(static_cast<const char*>(image_.pixels)) +
+                     x * image_.pixel_stride + y * image_.row_stride + c * component_;
+    const uint16_t half = HalfBits(value);
+    if (component_ == 2) {
+      std::memcpy(at, &half, 2);
+    } else {
+      std::memcpy(at, &value, 4);
+    }
+  }
+  template <class Value>  // value(column, row, channel)
+  TestImage& Fill(const Value& value) {
+    for (int y = 0; y < static_cast<int>(image_.height); ++y) {
+      for (int x = 0; x < static_cast<int>(image_.width); ++x) {
+        for (int c = 0; c < channels_; ++c) Set(x, y, c, static_cast<float>(value(x, y, c)));
+      }
+    }
+    return *this;
+  }
+  // Some of the rows.
+  gaunt_image Rows(uint32_t first, uint32_t rows) const {
+    gaunt_image part = image_;
+    part.pixels =
+        static_cast<const char*>(image_.pixels) + static_cast<ptrdiff_t>(first) * image_.row_stride;
+    part.height = rows;
+    return part;
+  }
+
+ private:
+  int channels_;
+  ptrdiff_t component_;
+  std::unique_ptr<GuardedBytes> memory_;
+  gaunt_image image_;
+};
+
+// Six faces of one style.
+class TestCube {
+ public:
+  TestCube(uint32_t size, int channels, const Style& style) {
+    for (int f = 0; f < 6; ++f) {
+      faces_.push_back(std::make_unique<TestImage>(size, size, channels, style));
+      images_[f] = faces_.back()->image();
+    }
+  }
+  TestImage& face(int f) { return *faces_[static_cast<size_t>(f)]; }
+  const gaunt_image* const* images() const { return images_; }
+  template <class Value>  // value(face, column, row, channel)
+  TestCube& Fill(const Value& value) {
+    for (int f = 0; f < 6; ++f) {
+      face(f).Fill([&](int x, int y, int c) { return value(f, x, y, c); });
+    }
+    return *this;
+  }
+
+ private:
+  std::vector<std::unique_ptr<TestImage>> faces_;
+  const gaunt_image* images_[6];
+};
+
+// Light that f16 has: from 1/16 to 16, with some zeros and some of its smallest numbers.
+double Light(int face, int x, int y, int c) {
+  Random random(static_cast<uint64_t>(((face * 1024 + y) * 1024 + x) * 4 + c));
+  const uint64_t bits = random.Bits();
+  if (bits % 16 == 0) return 0.0;
+  if (bits % 16 == 1) return HalfValue(static_cast<uint16_t>(bits >> 8 & 1023));
+  return HalfValue(static_cast<uint16_t>((11 + (bits >> 4) % 8) << 10 | (bits >> 8 & 1023)));
+}
+
+// The manual's figures, of the mean magnitude of the texels times 4 pi or of the sum of |weight
+// value|: by moments, and, in band l, by the basis of each texel or sample.
+double MomentTolerance() { return 2e-6; }
+double BasisTolerance(int l) { return 2e-6 + 2e-8 * std::pow(l + 1.0, 2.5); }
+double CubeTolerance(uint32_t n, int l) { return n <= 10 ? MomentTolerance() : BasisTolerance(l); }
+// Between splits into rows.
+constexpr double kSplitTolerance = 1e-12;
+
+int BandOf(uint32_t n, size_t plane) {
+  const size_t i = plane % (n * n);
+  int l = 0;
+  while (static_cast<size_t>((l + 1) * (l + 1)) <= i) ++l;
+  return l;
+}
+
+// Coefficients of `n` from those of a higher order.
+double At(const std::vector<double>& of, uint32_t order, uint32_t n, size_t plane) {
+  return of[plane / (n * n) * order * order + plane % (n * n)];
+}
+
+// tolerance(l) in band l
+template <class Tolerance>
+void ExpectCoefficients(const Buffer& out, uint32_t n, int channels,
+                        const std::vector<double>& wanted, uint32_t order,
+                        const Tolerance& tolerance) {
+  for (size_t p = 0; p < static_cast<size_t>(channels) * n * n; ++p) {
+    ASSERT_NEAR(out.Get(0, p), At(wanted, order, n, p), tolerance(BandOf(n, p))) << "plane " << p;
+  }
+  ASSERT_TRUE(out.CanariesIntact());
+}
+
+// What an image of light should give, with the mean magnitude of its texels times 4 pi.
+struct Wanted {
+  std::vector<double> sums;
+  double magnitude = 0.0;
+};
+Wanted EquirectWanted(uint32_t order, int channels, int width, int height) {
+  Wanted wanted = {std::vector<double>(static_cast<size_t>(channels) * order * order)};
+  project::EquirectReference(
+      static_cast<int>(order), channels, width, height,
+      [&](int x, int y, int c) {
+        wanted.magnitude += Light(0, x, y, c) * kSphere / (double{1} * width * height * channels);
+        return Light(0, x, y, c);
+      },
+      wanted.sums.data());
+  return wanted;
+}
+Wanted CubeWanted(uint32_t order, int channels, int size) {
+  Wanted wanted = {std::vector<double>(static_cast<size_t>(channels) * order * order)};
+  project::CubemapReference(
+      static_cast<int>(order), channels, size,
+      [&](int f, int x, int y, int c) {
+        wanted.magnitude += Light(f, x, y, c) * kSphere / (6.0 * size * size * channels);
+        return Light(f, x, y, c);
+      },
+      wanted.sums.data());
+  return wanted;
+}
 
 class Project : public TargetTest {};
 
-TEST_P(Project, MatchesTheDefinition) {
-  const uint32_t sizes[][2] = {{1, 1},  {2, 1},   {1, 5},   {7, 3},
-                               {16, 8}, {127, 5}, {129, 4}, {300, 40}};
-  for (const auto& size : sizes) {
-    for (const int channels : {1, 3, 4}) {
-      for (const int padding : {0, 1, 2}) {
-        TestImage image(size[0], size[1], channels, padding, padding);
-        for (const uint32_t n : {1u, 3u, 6u}) {
-          const size_t planes = static_cast<size_t>(channels) * n * n;
-          for (const Layout layout : {Layout::kPlanar, Layout::kInterleaved, Layout::kTiled}) {
-            Buffer out(layout, 1, planes);
-            ASSERT_EQ(gaunt_project_equirect(n, static_cast<uint32_t>(channels), &image.image,
-                                             nullptr, out.view()),
-                      GAUNT_OK);
-            ASSERT_TRUE(out.CanariesIntact());
-            std::vector<double> wanted(planes);
-            project::EquirectReference(static_cast<int>(n), channels, image.texels.data(),
-                                       static_cast<int>(size[0]), static_cast<int>(size[1]),
-                                       image.pixel_floats, image.row_floats, wanted.data());
-            const double tolerance = 2e-6 * image.MeanMagnitude(channels) * 4.0 * std::acos(-1.0);
-            for (size_t p = 0; p < planes; ++p) {
-              ASSERT_NEAR(out.Get(0, p), wanted[p], tolerance)
-                  << size[0] << "x" << size[1] << " plane " << p;
-            }
+void TestEquirect(int width, int height, const std::vector<int>& all_channels, uint32_t order,
+                  const std::vector<uint32_t>& orders) {
+  const Wanted wanted = EquirectWanted(order, all_channels.back(), width, height);
+  for (const int channels : all_channels) {
+    for (const Style& style : Styles()) {
+      TestImage image(static_cast<uint32_t>(width), static_cast<uint32_t>(height), channels, style);
+      image.Fill([](int x, int y, int c) { return Light(0, x, y, c); });
+      for (const uint32_t n : orders) {
+        SCOPED_TRACE(testing::Message() << width << "x" << height << " channels " << channels
+                                        << " order " << n << " style " << &style - Styles().data());
+        Buffer out(n % 2 ? Layout::kPlanar : Layout::kRecord, 1,
+                   static_cast<size_t>(channels) * n * n);
+        ASSERT_EQ(gaunt_project_equirect(n, static_cast<uint32_t>(channels), image.image(), nullptr,
+                                         out.view()),
+                  GAUNT_OK);
+        ExpectCoefficients(out, n, channels, wanted.sums, order,
+                           [&](int) { return wanted.magnitude * MomentTolerance(); });
+      }
+    }
+  }
+}
+
+TEST_P(Project, EquirectMatchesTheDefinition) {
+  for (const auto& size :
+       {std::pair(1, 1), {2, 1}, {1, 5}, {7, 3}, {16, 8}, {33, 4}, {127, 5}, {129, 4}}) {
+    TestEquirect(size.first, size.second, {1, 2, 3, 4}, 10, {1, 2, 3, 5, 6, 8, 10});
+  }
+  TestEquirect(300, 40, {3}, 6, {3, 6});
+  TestEquirect(40, 6, {1, 3}, 64, {11, 12, 16, 33, 64});
+}
+
+void TestCubemap(int size, const std::vector<int>& all_channels, uint32_t order,
+                 const std::vector<uint32_t>& orders) {
+  const Wanted wanted = CubeWanted(order, all_channels.back(), size);
+  for (const int channels : all_channels) {
+    for (const Style& style : Styles()) {
+      TestCube cube(static_cast<uint32_t>(size), channels, style);
+      cube.Fill(Light);
+      for (const uint32_t n : orders) {
+        SCOPED_TRACE(testing::Message() << size << "^2 channels " << channels << " order " << n
+                                        << " style " << &style - Styles().data());
+        Buffer out(n % 2 ? Layout::kInterleaved : Layout::kTiled, 1,
+                   static_cast<size_t>(channels) * n * n);
+        ASSERT_EQ(gaunt_project_cubemap(n, static_cast<uint32_t>(channels), cube.images(), nullptr,
+                                        out.view()),
+                  GAUNT_OK);
+        ExpectCoefficients(out, n, channels, wanted.sums, order,
+                           [&](int l) { return wanted.magnitude * CubeTolerance(n, l); });
+      }
+    }
+  }
+}
+
+TEST_P(Project, CubemapMatchesTheDefinition) {
+  for (const int size : {1, 2, 3, 5, 8, 17}) {
+    TestCubemap(size, {1, 2, 3, 4}, 11, {1, 2, 3, 4, 5, 6, 8, 9, 10, 11});
+  }
+  TestCubemap(64, {4}, 6, {3, 6});
+  TestCubemap(3, {1, 3}, 64, {16, 33, 64});
+}
+
+TEST_P(Project, LongRowsOfFacesMatchTheDefinition) {
+  // Runs away from the middle of the face, with a part of one at the end.
+  const Wanted wanted = CubeWanted(10, 1, 135);
+  TestCube cube(135, 1, Styles()[0]);
+  cube.Fill(Light);
+  for (const uint32_t n : {3u, 10u}) {
+    Buffer out(Layout::kPlanar, 1, n * n);
+    ASSERT_EQ(gaunt_project_cubemap(n, 1, cube.images(), nullptr, out.view()), GAUNT_OK);
+    ExpectCoefficients(out, n, 1, wanted.sums, 10,
+                       [&](int l) { return wanted.magnitude * CubeTolerance(n, l); });
+  }
+}
+
+TEST_P(Project, FacesOfACubeMayDiffer) {
+  std::vector<std::unique_ptr<TestImage>> faces;
+  const gaunt_image* images[6];
+  for (int f = 0; f < 6; ++f) {
+    faces.push_back(std::make_unique<TestImage>(9, 9, 1, Styles()[static_cast<size_t>(f * 2 % 9)]));
+    faces.back()->Fill([&](int x, int y, int c) { return Light(f, x, y, c); });
+    images[f] = faces.back()->image();
+  }
+  const Wanted wanted = CubeWanted(5, 1, 9);
+  Buffer out(Layout::kPlanar, 1, 25);
+  ASSERT_EQ(gaunt_project_cubemap(5, 1, images, nullptr, out.view()), GAUNT_OK);
+  ExpectCoefficients(out, 5, 1, wanted.sums, 5,
+                     [&](int l) { return wanted.magnitude * CubeTolerance(5, l); });
+}
+
+struct TestSamples {
+  std::vector<double> directions, values, weights, wanted;
+  double magnitude = 0.0;
+
+  TestSamples(uint32_t order, int channels, const Buffer& d, const Buffer& v, const Buffer& w,
+              size_t count)
+      : wanted(static_cast<size_t>(channels) * order * order) {
+    for (size_t i = 0; i < count; ++i) {
+      for (size_t k = 0; k < 3; ++k) directions.push_back(double{d.Get(i, k)});
+      weights.push_back(double{w.Get(i, 0)});
+      for (size_t c = 0; c < static_cast<size_t>(channels); ++c) {
+        values.push_back(double{v.Get(i, c)});
+        magnitude += std::abs(values.back() * weights.back());
+      }
+    }
+    project::SamplesReference(static_cast<int>(order), channels, count, directions.data(),
+                              values.data(), weights.data(), wanted.data());
+  }
+};
+
+void FillSamples(size_t count, int channels, Buffer& d, Buffer& v, Buffer& w) {
+  Random random(count);
+  for (size_t i = 0; i < count; ++i) {
+    float direction[3];
+    random.Direction(direction);
+    for (size_t k = 0; k < 3; ++k) d.Set(i, k, direction[k]);
+    for (size_t c = 0; c < static_cast<size_t>(channels); ++c) v.Set(i, c, random.Between(-2, 4));
+    w.Set(i, 0, random.Between(0.1, 2.0));
+  }
+}
+
+void TestSample(Layout layout, Layout weight_layout, size_t count, int channels, uint32_t n) {
+  SCOPED_TRACE(testing::Message() << Name(layout) << " " << count << " channels " << channels
+                                  << " order " << n);
+  Buffer d(layout, count, 3), v(layout, count, static_cast<size_t>(channels));
+  Buffer w(weight_layout, count, 1);
+  FillSamples(count, channels, d, v, w);
+  const TestSamples samples(n, channels, d, v, w, count);
+  Buffer out(Layout::kPlanar, 1, static_cast<size_t>(channels) * n * n);
+  ASSERT_EQ(gaunt_project_samples(n, static_cast<uint32_t>(channels), count, d.view(), v.view(),
+                                  w.view(), out.view()),
+            GAUNT_OK);
+  ExpectCoefficients(out, n, channels, samples.wanted, n,
+                     [&](int l) { return samples.magnitude * BasisTolerance(l); });
+}
+
+TEST_P(Project, SamplesMatchTheDefinition) {
+  for (const size_t count : {1, 3, 15, 16, 17, 31, 33}) {
+    for (const Layout layout : Layouts()) {
+      for (const int channels : {1, 2, 3, 4}) {
+        for (const uint32_t n : {1u, 2u, 3u, 6u, 7u}) {
+          TestSample(layout, layout, count, channels, n);
+          TestSample(layout, Layout::kBroadcast, count, channels, n);
+        }
+      }
+    }
+  }
+  // More than a stretch of lanes holds.
+  for (const int channels : {1, 4}) {
+    for (const uint32_t n : {3u, 4u, 5u, 6u, 8u, 10u}) {
+      TestSample(Layout::kTiled, Layout::kTiled, 1100, channels, n);
+    }
+  }
+  for (const uint32_t n : {16u, 33u, 64u}) {
+    TestSample(Layout::kInterleaved, Layout::kInterleaved, 37, 3, n);
+  }
+}
+
+TEST_P(Project, OneTexelAloneIsAccurate) {
+  // Where nothing averages errors out.
+  Random random(5);
+  for (int times = 0; times < 40; ++times) {
+    const int size = times % 2 ? 9 : 20;
+    const auto below = [&](int n) {
+      return static_cast<int>(random.Bits() % static_cast<uint64_t>(n));
+    };
+    const int face = below(6), x = times % 5 ? below(size) : 0, y = below(size);
+    TestCube cube(static_cast<uint32_t>(size), 1, Styles()[0]);
+    cube.Fill([](int, int, int, int) { return 0.0; });
+    cube.face(face).Set(x, y, 0, 1.0f);
+    TestImage image(static_cast<uint32_t>(2 * size), static_cast<uint32_t>(size), 1, Styles()[0]);
+    image.Fill([&](int column, int row, int) { return column == x && row == y ? 1.0 : 0.0; });
+    for (const uint32_t n : {6u, 10u, 20u, 64u}) {
+      if (n == 64 && times >= 5) continue;  // the definition takes long
+      const int order = static_cast<int>(n);
+      double direction[3], weight = project::CubeSolidAngleReference(x, y, size), one = 1.0;
+      project::CubeDirectionReference(face, x, y, size, direction);
+      std::vector<double> wanted(n * n);
+      project::SamplesReference(order, 1, 1, direction, &one, &weight, wanted.data());
+      Buffer out(Layout::kPlanar, 1, n * n);
+      ASSERT_EQ(gaunt_project_cubemap(n, 1, cube.images(), nullptr, out.view()), GAUNT_OK);
+      ExpectCoefficients(out, n, 1, wanted, n, [&](int l) { return weight * CubeTolerance(n, l); });
+
+      const double theta = kPi * (y + 0.5) / size, phi = kPi - kPi * (x + 0.5) / size;
+      const double to[3] = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                            std::cos(theta)};
+      weight = kPi / size * 2.0 * std::sin(theta) * std::sin(0.5 * kPi / size);
+      project::SamplesReference(order, 1, 1, to, &one, &weight, wanted.data());
+      ASSERT_EQ(gaunt_project_equirect(n, 1, image.image(), nullptr, out.view()), GAUNT_OK);
+      ExpectCoefficients(out, n, 1, wanted, n, [&](int) { return weight * MomentTolerance(); });
+    }
+  }
+}
+
+TEST_P(Project, OneSampleIsAccurate) {
+  for (size_t count = 1; count < 30; ++count) {  // a seed for directions, too
+    for (const uint32_t n : {6u, 10u, 33u, 64u}) {
+      if (n == 64 && count >= 5) continue;
+      Buffer d(Layout::kPlanar, 1, 3), v(Layout::kPlanar, 1, 1), w(Layout::kPlanar, 1, 1);
+      Random random(count);
+      float direction[3];
+      random.Direction(direction);
+      for (size_t k = 0; k < 3; ++k) d.Set(0, k, direction[k]);
+      v.Set(0, 0, 1.0f);
+      w.Set(0, 0, 1.0f);
+      const TestSamples samples(n, 1, d, v, w, 1);
+      Buffer out(Layout::kPlanar, 1, n * n);
+      ASSERT_EQ(gaunt_project_samples(n, 1, 1, d.view(), v.view(), w.view(), out.view()), GAUNT_OK);
+      ExpectCoefficients(out, n, 1, samples.wanted, n, [](int l) { return BasisTolerance(l); });
+    }
+  }
+}
+
+TEST_P(Project, NoSamplesAreNothing) {
+  Buffer out(Layout::kPlanar, 1, 12);
+  ASSERT_EQ(gaunt_project_samples(2, 3, 0, nullptr, nullptr, nullptr, out.view()), GAUNT_OK);
+  for (size_t p = 0; p < 12; ++p) EXPECT_EQ(out.Get(0, p), 0.0f);
+}
+
+TEST_P(Project, SamplesOfTheSphereGiveTheFunctionBack) {
+  // f = 1 + y_1^0 at the 6 directions of the axes, each weighing 4 pi / 6: a design of degree 3.
+  const float axes[18] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+  const float y10 = static_cast<float>(std::sqrt(3.0 / kSphere));
+  const float values[6] = {1, 1, 1, 1, 1 + y10, 1 - y10}, weight = static_cast<float>(kSphere / 6);
+  gaunt_view d, v, w;
+  gaunt_view_interleaved(const_cast<float*>(axes), 3, &d);
+  gaunt_view_interleaved(const_cast<float*>(values), 1, &v);
+  gaunt_view_broadcast(const_cast<float*>(&weight), &w);
+  Buffer out(Layout::kPlanar, 1, 4);
+  ASSERT_EQ(gaunt_project_samples(2, 1, 6, &d, &v, &w, out.view()), GAUNT_OK);
+  const double wanted[4] = {std::sqrt(kSphere), 0.0, 1.0, 0.0};
+  for (size_t p = 0; p < 4; ++p) EXPECT_NEAR(out.Get(0, p), wanted[p], 2e-6 * kSphere);
+}
+
+TEST_P(Project, EquirectAxesAreWhereTheManualSays) {
+  const auto lit = [](const std::function<bool(int, int)>& where) {
+    TestImage image(64, 32, 1, Styles()[0]);
+    image.Fill([&](int x, int y, int) { return where(x, y) ? 1.0 : 0.0; });
+    std::vector<float> f(4);
+    gaunt_view out;
+    gaunt_view_interleaved(f.data(), 4, &out);
+    EXPECT_EQ(gaunt_project_equirect(2, 1, image.image(), nullptr, &out), GAUNT_OK);
+    return f;
+  };
+  std::vector<float> f =
+      lit([](int x, int y) { return (x == 31 || x == 32) && (y == 15 || y == 16); });
+  EXPECT_GT(-f[3], 0.0f) << "the centre looks at +x";
+  EXPECT_NEAR(f[1], 0.0f, 1e-6);
+  EXPECT_NEAR(f[2], 0.0f, 1e-6);
+  f = lit([](int x, int y) { return x == 48 && (y == 15 || y == 16); });
+  EXPECT_LT(-f[1], 0.0f) << "right of the centre is -y";
+  f = lit([](int x, int y) { return x == 5 && y == 0; });
+  EXPECT_GT(f[2], 0.0f) << "the top row is +z";
+}
+
+TEST_P(Project, FacesLieWhereTheManualSays) {
+  // Per face: where it looks, where its columns go, where its rows go.
+  const int axes[6][3][3] = {
+      {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+      {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+      {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}};
+  constexpr int kSize = 8;
+  for (const uint32_t cube_convention : {GAUNT_CUBE_D3D, GAUNT_CUBE_GL, GAUNT_CUBE_UNITY}) {
+    const gaunt_project_options options = {sizeof(options), 0, cube_convention};
+    for (int face = 0; face < 6; ++face) {
+      for (const int part : {0, 1, 2}) {  // the whole face; its right half; its lower half
+        TestCube cube(kSize, 1, Styles()[0]);
+        cube.Fill([&](int f, int x, int y, int) {
+          return f == face && (part != 1 || x >= kSize / 2) && (part != 2 || y >= kSize / 2) ? 1.0
+                                                                                             : 0.0;
+        });
+        float f[4];
+        gaunt_view out;
+        gaunt_view_interleaved(f, 4, &out);
+        ASSERT_EQ(gaunt_project_cubemap(2, 1, cube.images(), &options, &out), GAUNT_OK);
+        const float to[3] = {-f[3], -f[1], f[2]};
+        for (int k = 0; k < 3; ++k) {
+          const int wanted = axes[face][0][k] + (part > 0 ? axes[face][part][k] : 0);
+          if (wanted == 0) {
+            EXPECT_NEAR(to[k], 0.0f, 1e-6) << face << " " << part << " " << k;
+          } else {
+            EXPECT_GT(to[k] * static_cast<float>(wanted), 0.05f) << face << " " << part << " " << k;
           }
         }
       }
@@ -83,93 +504,420 @@ TEST_P(Project, MatchesTheDefinition) {
 }
 
 TEST_P(Project, ConstantLightIsAllMean) {
-  TestImage image(256, 128, 3, 0, 0);
-  for (float& texel : image.texels) texel = 2.0f;
-  float f[27];
-  gaunt_view out;
-  gaunt_view_interleaved(f, 27, &out);
-  ASSERT_EQ(gaunt_project_equirect(3, 3, &image.image, nullptr, &out), GAUNT_OK);
-  for (int p = 0; p < 27; ++p) {
-    // Midpoints of 128 rows leave 4e-4 of band 2.
-    EXPECT_NEAR(f[p], p % 9 == 0 ? 4.0 * std::sqrt(std::acos(-1.0)) : 0.0, 1e-3);
+  // Rows of a panorama sum to 4 pi exactly; midpoints leave a little of band 2.
+  TestImage image(256, 128, 3, Styles()[0]);
+  image.Fill([](int, int, int) { return 2.0; });
+  Buffer out(Layout::kPlanar, 1, 27);
+  ASSERT_EQ(gaunt_project_equirect(3, 3, image.image(), nullptr, out.view()), GAUNT_OK);
+  for (size_t p = 0; p < 27; ++p) {
+    const double wanted = p % 9 == 0 ? 2.0 * std::sqrt(kSphere) : 0.0;
+    EXPECT_NEAR(out.Get(0, p), wanted, p % 9 == 6 ? 1e-3 : 2e-6 * 2.0 * kSphere);
   }
 }
 
-TEST_P(Project, AxesAreWhereTheManualSays) {
-  TestImage image(64, 32, 1, 0, 0);
-  for (float& texel : image.texels) texel = 0.0f;
-  *image.At(32, 15) = *image.At(31, 15) = *image.At(32, 16) = *image.At(31, 16) = 1.0f;
-  float f[4];
-  gaunt_view out;
-  gaunt_view_interleaved(f, 4, &out);
-  ASSERT_EQ(gaunt_project_equirect(2, 1, &image.image, nullptr, &out), GAUNT_OK);
-  EXPECT_GT(-f[3], 0.0f) << "the centre looks at +x";
-  EXPECT_NEAR(f[1], 0.0f, 1e-6);
-  EXPECT_NEAR(f[2], 0.0f, 1e-6);
-  for (float& texel : image.texels) texel = 0.0f;
-  *image.At(48, 15) = *image.At(48, 16) = 1.0f;
-  ASSERT_EQ(gaunt_project_equirect(2, 1, &image.image, nullptr, &out), GAUNT_OK);
-  EXPECT_LT(-f[1], 0.0f) << "right of the centre is -y";
-  for (float& texel : image.texels) texel = 0.0f;
-  *image.At(5, 0) = 1.0f;
-  ASSERT_EQ(gaunt_project_equirect(2, 1, &image.image, nullptr, &out), GAUNT_OK);
-  EXPECT_GT(f[2], 0.0f) << "the top row is +z";
+void TestConstantCube(uint32_t size, double value) {
+  // One face serves six times: memory.
+  TestImage face(size, size, 1, Styles()[0]);
+  face.Fill([&](int, int, int) { return value; });
+  const gaunt_image* const faces[6] = {face.image(), face.image(), face.image(),
+                                       face.image(), face.image(), face.image()};
+  // By the symmetry of a cube, bands 1 to 3 of any constant light are zero.
+  Buffer out(Layout::kPlanar, 1, 16);
+  ASSERT_EQ(gaunt_project_cubemap(4, 1, faces, nullptr, out.view()), GAUNT_OK);
+  const double mean = static_cast<double>(static_cast<float>(value)) * std::sqrt(kSphere);
+  EXPECT_NEAR(out.Get(0, 0) / mean, 1.0, 1e-6) << size;
+  for (size_t p = 1; p < 16; ++p) EXPECT_NEAR(out.Get(0, p) / mean, 0.0, 1e-6) << size;
+}
+
+TEST_P(Project, SolidAnglesOfACubeAreExact) {
+  for (uint32_t size = 1; size <= 40; ++size) TestConstantCube(size, 0.7);
+  for (const uint32_t size : {63, 64, 65, 100, 128, 129, 200, 256, 511}) {
+    TestConstantCube(size, 0.7);
+  }
+  // One texel at a time: middle, edge and corner.
+  for (const int size : {1, 2, 3, 4, 7, 15, 16, 17, 32, 64, 128, 500, 1024}) {
+    for (const int x : {0, size / 3, size / 2, size - 1}) {
+      for (const int y : {0, size / 4, size / 2, size - 1}) {
+        TestImage row(static_cast<uint32_t>(size), 1, 1, Styles()[0]);
+        row.Fill([&](int column, int, int) { return column == x ? 1.0 : 0.0; });
+        double sums[1] = {};
+        ASSERT_EQ(gaunt_project_cubemap_rows(1, 1, 0, row.image(), static_cast<uint32_t>(y),
+                                             nullptr, sums),
+                  GAUNT_OK);
+        const double wanted = project::CubeSolidAngleReference(x, y, size) / std::sqrt(kSphere);
+        EXPECT_NEAR(sums[0] / wanted, 1.0, 4e-7) << size << ": " << x << ", " << y;
+      }
+    }
+  }
+}
+
+TEST_P(Project, LargeFacesDoNotDrift) { TestConstantCube(1024, 0.1); }
+
+TEST_P(Project, RowsAddUpToTheWhole) {
+  constexpr uint32_t kWidth = 150, kHeight = 37, kSize = 33;
+  Random random(7);
+  const double image_magnitude = EquirectWanted(1, 3, kWidth, kHeight).magnitude;
+  for (const size_t which : {0u, 1u, 6u}) {
+    const Style& style = Styles()[which];
+    TestImage image(kWidth, kHeight, 3, style);
+    image.Fill([](int x, int y, int c) { return Light(0, x, y, c); });
+    TestCube cube(kSize, 3, style);
+    cube.Fill(Light);
+    for (const uint32_t n : {1u, 3u, 6u, 10u, 13u}) {
+      const size_t planes = 3 * n * n;
+      std::vector<double> whole(planes), faces(planes);
+      ASSERT_EQ(gaunt_project_equirect_rows(n, 3, image.image(), 0, kHeight, nullptr, whole.data()),
+                GAUNT_OK);
+      for (uint32_t f = 0; f < 6; ++f) {
+        ASSERT_EQ(gaunt_project_cubemap_rows(n, 3, f, cube.images()[f], 0, nullptr, faces.data()),
+                  GAUNT_OK);
+      }
+      const auto random_split = [&](uint32_t rows, const auto& project) {
+        for (uint32_t first = 0, part; first < rows; first += part) {
+          part = std::min(rows - first, static_cast<uint32_t>(1 + random.Bits() % 9));
+          project(first, part);
+        }
+      };
+      std::vector<double> split(planes), split_faces(planes);
+      random_split(kHeight, [&](uint32_t first, uint32_t part) {
+        const gaunt_image rows = image.Rows(first, part);
+        ASSERT_EQ(gaunt_project_equirect_rows(n, 3, &rows, first, kHeight, nullptr, split.data()),
+                  GAUNT_OK);
+      });
+      for (uint32_t f = 6; f-- > 0;) {
+        random_split(kSize, [&](uint32_t first, uint32_t part) {
+          const gaunt_image rows = cube.face(static_cast<int>(f)).Rows(first, part);
+          ASSERT_EQ(gaunt_project_cubemap_rows(n, 3, f, &rows, first, nullptr, split_faces.data()),
+                    GAUNT_OK);
+        });
+      }
+      Buffer out(Layout::kPlanar, 1, planes), rounded(Layout::kInterleaved, 1, planes);
+      ASSERT_EQ(gaunt_project_equirect(n, 3, image.image(), nullptr, out.view()), GAUNT_OK);
+      ASSERT_EQ(gaunt_project_sums(n, 3, whole.data(), rounded.view()), GAUNT_OK);
+      Buffer cube_out(Layout::kPlanar, 1, planes);
+      ASSERT_EQ(gaunt_project_cubemap(n, 3, cube.images(), nullptr, cube_out.view()), GAUNT_OK);
+      // Above the orders of moments, a face's rows share sums in float.
+      const double exact = kSplitTolerance * image_magnitude;
+      const double faces_exact = n > 10 ? MomentTolerance() * image_magnitude : exact;
+      for (size_t p = 0; p < planes; ++p) {
+        ASSERT_NEAR(split[p], whole[p], exact) << "order " << n << " plane " << p;
+        ASSERT_NEAR(split_faces[p], faces[p], faces_exact) << "order " << n << " plane " << p;
+        ASSERT_EQ(rounded.Get(0, p), static_cast<float>(whole[p]));
+        ASSERT_NEAR(out.Get(0, p), whole[p], 1e-12 + 6e-8 * std::abs(whole[p]));
+        ASSERT_NEAR(cube_out.Get(0, p), faces[p], faces_exact + 6e-8 * std::abs(faces[p]));
+      }
+    }
+  }
+}
+
+TEST_P(Project, TwoThreadsAgreeWithOne) {
+  TestImage image(200, 64, 3, Styles()[0]);
+  image.Fill([](int x, int y, int c) { return Light(0, x, y, c); });
+  std::vector<double> whole(27), halves[2];
+  ASSERT_EQ(gaunt_project_equirect_rows(3, 3, image.image(), 0, 64, nullptr, whole.data()),
+            GAUNT_OK);
+  std::vector<std::thread> threads;
+  for (uint32_t t = 0; t < 2; ++t) {
+    halves[t].assign(27, 0.0);
+    threads.emplace_back([&image, &halves, t] {
+      const gaunt_image rows = image.Rows(32 * t, 32);
+      gaunt_project_equirect_rows(3, 3, &rows, 32 * t, 64, nullptr, halves[t].data());
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (size_t p = 0; p < 27; ++p) {
+    EXPECT_NEAR(halves[0][p] + halves[1][p], whole[p],
+                kSplitTolerance * EquirectWanted(1, 3, 200, 64).magnitude);
+  }
+}
+
+TEST_P(Project, SamplesAddUp) {
+  Buffer d(Layout::kTiled, 100, 3), v(Layout::kTiled, 100, 3), w(Layout::kTiled, 100, 1);
+  FillSamples(100, 3, d, v, w);
+  // In one pass, in several, and in several of each channel.
+  for (const uint32_t n : {3u, 12u, 40u}) {
+    std::vector<double> sums(3 * n * n, 0.25);
+    for (int times = 0; times < 2; ++times) {
+      ASSERT_EQ(gaunt_project_samples_add(n, 3, 100, d.view(), v.view(), w.view(), sums.data()),
+                GAUNT_OK);
+    }
+    Buffer out(Layout::kPlanar, 1, sums.size());
+    ASSERT_EQ(gaunt_project_samples(n, 3, 100, d.view(), v.view(), w.view(), out.view()), GAUNT_OK);
+    for (size_t p = 0; p < sums.size(); ++p) {
+      EXPECT_EQ(out.Get(0, p), static_cast<float>((sums[p] - 0.25) / 2.0)) << p;
+    }
+  }
 }
 
 TEST_P(Project, ClampsTexelsWhereAsked) {
-  TestImage bad(40, 20, 3, 0, 0), good(40, 20, 3, 0, 0);
-  const float values[] = {-1.0f, std::numeric_limits<float>::quiet_NaN(),
-                          std::numeric_limits<float>::infinity(),
-                          -std::numeric_limits<float>::infinity()};
-  for (uint32_t k = 0; k < 60; ++k) {
-    bad.At(k % 40, k % 20)[k % 3] = values[k % 4];
-    good.At(k % 40, k % 20)[k % 3] = 0.0f;
-  }
-  float clamped[27], wanted[27], unclamped[27];
-  gaunt_view out;
-  gaunt_project_options options = {sizeof(options), GAUNT_PROJECT_CLAMP};
-  gaunt_view_interleaved(clamped, 27, &out);
-  ASSERT_EQ(gaunt_project_equirect(3, 3, &bad.image, &options, &out), GAUNT_OK);
-  gaunt_view_interleaved(wanted, 27, &out);
-  ASSERT_EQ(gaunt_project_equirect(3, 3, &good.image, nullptr, &out), GAUNT_OK);
-  gaunt_view_interleaved(unclamped, 27, &out);
-  ASSERT_EQ(gaunt_project_equirect(3, 3, &bad.image, nullptr, &out), GAUNT_OK);
-  for (int p = 0; p < 27; ++p) {
-    EXPECT_EQ(clamped[p], wanted[p]);
-    EXPECT_TRUE(std::isnan(unclamped[p]));
+  const float bad[] = {-1.0f, std::nanf(""), HUGE_VALF, -HUGE_VALF};
+  const auto spoilt = [](int x, int y, int c) { return (7 * y + x) % 5 == c; };
+  const gaunt_project_options options = {sizeof(options), GAUNT_PROJECT_CLAMP, GAUNT_CUBE_D3D};
+  for (const Style& style : Styles()) {
+    SCOPED_TRACE(&style - Styles().data());
+    TestCube wrong(20, 3, style), right(20, 3, style);
+    wrong.Fill([&](int f, int x, int y, int c) {
+      return spoilt(x, y, c) ? double{bad[(x + f) % 4]} : Light(f, x, y, c);
+    });
+    right.Fill(
+        [&](int f, int x, int y, int c) { return spoilt(x, y, c) ? 0.0 : Light(f, x, y, c); });
+    for (const uint32_t n : {3u, 11u}) {
+      const size_t planes = 3 * n * n;
+      Buffer clamped(Layout::kPlanar, 1, planes), wanted(Layout::kPlanar, 1, planes);
+      Buffer spread(Layout::kPlanar, 1, planes);
+      const auto same = [&] {
+        for (size_t p = 0; p < planes; ++p) {
+          ASSERT_NEAR(clamped.Get(0, p), wanted.Get(0, p),
+                      1e-6 * std::abs(wanted.Get(0, p)) + 1e-6);
+          ASSERT_TRUE(std::isnan(spread.Get(0, p)));
+        }
+      };
+      ASSERT_EQ(gaunt_project_cubemap(n, 3, wrong.images(), &options, clamped.view()), GAUNT_OK);
+      ASSERT_EQ(gaunt_project_cubemap(n, 3, right.images(), nullptr, wanted.view()), GAUNT_OK);
+      ASSERT_EQ(gaunt_project_cubemap(n, 3, wrong.images(), nullptr, spread.view()), GAUNT_OK);
+      same();
+      ASSERT_EQ(gaunt_project_equirect(n, 3, wrong.images()[0], &options, clamped.view()),
+                GAUNT_OK);
+      ASSERT_EQ(gaunt_project_equirect(n, 3, right.images()[0], nullptr, wanted.view()), GAUNT_OK);
+      ASSERT_EQ(gaunt_project_equirect(n, 3, wrong.images()[0], nullptr, spread.view()), GAUNT_OK);
+      same();
+    }
   }
 }
 
+TEST_P(Project, ANanStaysInItsChannel) {
+  for (const int channels : {2, 3, 4}) {
+    for (const size_t which : {0u, 3u, 6u}) {
+      TestCube good(18, channels, Styles()[which]), bad(18, channels, Styles()[which]);
+      good.Fill(Light);
+      bad.Fill(Light);
+      bad.face(2).Set(3, 4, 1, std::nanf(""));
+      for (const uint32_t n : {3u, 11u}) {
+        const size_t planes = static_cast<size_t>(channels) * n * n;
+        Buffer wanted(Layout::kPlanar, 1, planes), out(Layout::kPlanar, 1, planes);
+        ASSERT_EQ(gaunt_project_cubemap(n, static_cast<uint32_t>(channels), good.images(), nullptr,
+                                        wanted.view()),
+                  GAUNT_OK);
+        ASSERT_EQ(gaunt_project_cubemap(n, static_cast<uint32_t>(channels), bad.images(), nullptr,
+                                        out.view()),
+                  GAUNT_OK);
+        for (size_t p = 0; p < planes; ++p) {
+          if (p / (n * n) == 1) {
+            EXPECT_TRUE(std::isnan(out.Get(0, p)));
+          } else {
+            EXPECT_EQ(out.Get(0, p), wanted.Get(0, p));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Project, EveryHalfIsItsNumber) {
+  // A panorama of one texel has it as its mean; four at a time, as channels.
+  std::vector<uint16_t> all(65536);
+  for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<uint16_t>(i);
+  for (uint32_t i = 0; i < 65536; i += 4) {
+    const gaunt_image texel = {&all[i], 1, 1, 8, 8, GAUNT_TEXEL_F16};
+    double sums[4] = {};
+    ASSERT_EQ(gaunt_project_equirect_rows(1, 4, &texel, 0, 1, nullptr, sums), GAUNT_OK);
+    for (uint32_t c = 0; c < 4; ++c) {
+      const double wanted = HalfValue(all[i + c]) * std::sqrt(kSphere);
+      if (std::isnan(wanted)) {
+        ASSERT_TRUE(std::isnan(sums[c])) << i + c;
+      } else if (std::isinf(wanted)) {
+        ASSERT_EQ(sums[c], wanted) << i + c;
+      } else {
+        ASSERT_NEAR(sums[c], wanted, 1e-12 * std::abs(wanted)) << i + c;
+      }
+    }
+  }
+}
+
+TEST_P(Project, CubemapsAndPanoramasAgree) {
+  // One analytic light, which both sample: band 0 to 3, and what is above.
+  const auto light = [](const double* d, int c) {
+    return 1.5 + d[0] * (c + 1) + d[1] * d[2] - 0.5 * d[2] * d[2] * d[0] + std::exp(d[c] - 1.0);
+  };
+  constexpr int kWidth = 512, kHeight = 256, kSize = 96;
+  TestImage image(kWidth, kHeight, 3, Styles()[0]);
+  image.Fill([&](int x, int y, int c) {
+    const double theta = kPi * (y + 0.5) / kHeight, phi = kPi - 2.0 * kPi * (x + 0.5) / kWidth;
+    const double d[3] = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                         std::cos(theta)};
+    return light(d, c);
+  });
+  TestCube cube(kSize, 3, Styles()[0]);
+  cube.Fill([&](int f, int x, int y, int c) {
+    double d[3];
+    project::CubeDirectionReference(f, x, y, kSize, d);
+    return light(d, c);
+  });
+  Buffer a(Layout::kPlanar, 1, 108), b(Layout::kPlanar, 1, 108);
+  ASSERT_EQ(gaunt_project_equirect(6, 3, image.image(), nullptr, a.view()), GAUNT_OK);
+  ASSERT_EQ(gaunt_project_cubemap(6, 3, cube.images(), nullptr, b.view()), GAUNT_OK);
+  for (size_t p = 0; p < 108; ++p) EXPECT_NEAR(a.Get(0, p), b.Get(0, p), 2e-3) << p;
+}
+
 TEST_P(Project, RejectsWrongArguments) {
-  TestImage test(8, 4, 3, 0, 0);
+  TestImage test(8, 4, 3, Styles()[0]);
+  TestCube cube(4, 3, Styles()[0]);
   float f[27];
+  double sums[27];
   for (float& value : f) value = 5.0f;
+  for (double& value : sums) value = 5.0;
   gaunt_view out;
   gaunt_view_interleaved(f, 27, &out);
-  const auto project = [&](auto change) {
-    gaunt_image image = test.image;
-    change(image);
-    return gaunt_project_equirect(3, 3, &image, nullptr, &out);
+  const gaunt_image* const image = test.image();
+  float numbers[60] = {};
+  gaunt_view d, v, w;
+  gaunt_view_interleaved(numbers, 3, &d);
+  gaunt_view_interleaved(numbers, 3, &v);
+  gaunt_view_interleaved(numbers, 1, &w);
+  using Options = gaunt_project_options;
+
+  // Every function of an order and channels.
+  const auto all = [&](uint32_t n, uint32_t channels, gaunt_status wanted) {
+    EXPECT_EQ(gaunt_project_equirect(n, channels, image, nullptr, &out), wanted);
+    EXPECT_EQ(gaunt_project_equirect_rows(n, channels, image, 0, 4, nullptr, sums), wanted);
+    EXPECT_EQ(gaunt_project_cubemap(n, channels, cube.images(), nullptr, &out), wanted);
+    EXPECT_EQ(gaunt_project_cubemap_rows(n, channels, 0, cube.images()[0], 0, nullptr, sums),
+              wanted);
+    EXPECT_EQ(gaunt_project_samples(n, channels, 9, &d, &v, &w, &out), wanted);
+    EXPECT_EQ(gaunt_project_samples_add(n, channels, 9, &d, &v, &w, sums), wanted);
+    EXPECT_EQ(gaunt_project_sums(n, channels, sums, &out), wanted);
   };
-  EXPECT_EQ(gaunt_project_equirect(0, 3, &test.image, nullptr, &out), GAUNT_ERROR_ORDER);
-  EXPECT_EQ(gaunt_project_equirect(7, 3, &test.image, nullptr, &out), GAUNT_ERROR_ORDER);
-  EXPECT_EQ(gaunt_project_equirect(3, 0, &test.image, nullptr, &out), GAUNT_ERROR_RANGE);
-  EXPECT_EQ(gaunt_project_equirect(3, 5, &test.image, nullptr, &out), GAUNT_ERROR_RANGE);
+  all(0, 3, GAUNT_ERROR_ORDER);
+  all(65, 3, GAUNT_ERROR_ORDER);
+  all(3, 0, GAUNT_ERROR_RANGE);
+  all(3, 5, GAUNT_ERROR_RANGE);
+
+  // Every function of images.
+  const auto changed = [&](gaunt_status wanted, auto change) {
+    gaunt_image bad = *image;
+    change(bad);
+    EXPECT_EQ(gaunt_project_equirect(3, 3, &bad, nullptr, &out), wanted);
+    EXPECT_EQ(gaunt_project_equirect_rows(3, 3, &bad, 0, 4, nullptr, sums), wanted);
+    for (int k = 0; k < 6; ++k) {
+      const gaunt_image* faces[6];
+      std::copy(cube.images(), cube.images() + 6, faces);
+      gaunt_image face = *faces[k];
+      change(face);
+      faces[k] = &face;
+      EXPECT_EQ(gaunt_project_cubemap(3, 3, faces, nullptr, &out), wanted);
+      EXPECT_EQ(gaunt_project_cubemap_rows(3, 3, 0, &face, 0, nullptr, sums), wanted);
+    }
+  };
+  changed(GAUNT_ERROR_NULL, [](gaunt_image& i) { i.pixels = nullptr; });
+  changed(GAUNT_ERROR_RANGE, [](gaunt_image& i) { i.width = 0; });
+  changed(GAUNT_ERROR_RANGE, [](gaunt_image& i) { i.height = 0; });
+  changed(GAUNT_ERROR_RANGE, [](gaunt_image& i) { i.width = 65537; });
+  changed(GAUNT_ERROR_RANGE, [](gaunt_image& i) { i.height = 65537; });
+  changed(GAUNT_ERROR_FORMAT, [](gaunt_image& i) { i.type = 9; });
+  changed(GAUNT_ERROR_LAYOUT, [](gaunt_image& i) { i.pixel_stride = 8; });
+  changed(GAUNT_ERROR_LAYOUT, [](gaunt_image& i) { i.pixel_stride = -8; });
+  changed(GAUNT_ERROR_LAYOUT, [](gaunt_image& i) { i.pixel_stride = 13; });
+  changed(GAUNT_ERROR_LAYOUT, [](gaunt_image& i) { i.pixel_stride = 14; });
+  changed(GAUNT_ERROR_LAYOUT, [](gaunt_image& i) { i.row_stride = 2; });
+  changed(GAUNT_ERROR_LAYOUT,
+          [](gaunt_image& i) { i.pixels = static_cast<const char*>(i.pixels) + 2; });
+  changed(GAUNT_ERROR_LAYOUT, [](gaunt_image& i) { i.type = GAUNT_TEXEL_F16, i.row_stride = 3; });
+  changed(GAUNT_ERROR_LAYOUT, [](gaunt_image& i) { i.type = GAUNT_TEXEL_F16, i.pixel_stride = 4; });
+
+  // Every function of options.
+  const auto with = [&](gaunt_status wanted, const Options& options) {
+    EXPECT_EQ(gaunt_project_equirect(3, 3, image, &options, &out), wanted);
+    EXPECT_EQ(gaunt_project_equirect_rows(3, 3, image, 0, 4, &options, sums), wanted);
+    EXPECT_EQ(gaunt_project_cubemap(3, 3, cube.images(), &options, &out), wanted);
+    EXPECT_EQ(gaunt_project_cubemap_rows(3, 3, 0, cube.images()[0], 0, &options, sums), wanted);
+  };
+  for (const uint32_t size : {0u, 4u, 7u, 9u, 11u, 13u, 16u}) {
+    with(GAUNT_ERROR_STRUCT, {size, 0, GAUNT_CUBE_D3D});
+  }
+  with(GAUNT_ERROR_RANGE, {sizeof(Options), 2, GAUNT_CUBE_D3D});
+  with(GAUNT_ERROR_RANGE, {8, 2, GAUNT_CUBE_D3D});
+  with(GAUNT_ERROR_RANGE, {sizeof(Options), 0, 3});
+
   EXPECT_EQ(gaunt_project_equirect(3, 3, nullptr, nullptr, &out), GAUNT_ERROR_NULL);
-  EXPECT_EQ(gaunt_project_equirect(3, 3, &test.image, nullptr, nullptr), GAUNT_ERROR_NULL);
-  EXPECT_EQ(project([](gaunt_image& i) { i.pixels = nullptr; }), GAUNT_ERROR_NULL);
-  EXPECT_EQ(project([](gaunt_image& i) { i.width = 0; }), GAUNT_ERROR_RANGE);
-  EXPECT_EQ(project([](gaunt_image& i) { i.height = 0; }), GAUNT_ERROR_RANGE);
-  EXPECT_EQ(project([](gaunt_image& i) { i.width = 65537; }), GAUNT_ERROR_RANGE);
-  EXPECT_EQ(project([](gaunt_image& i) { i.type = 9; }), GAUNT_ERROR_FORMAT);
-  EXPECT_EQ(project([](gaunt_image& i) { i.pixel_stride = 8; }), GAUNT_ERROR_LAYOUT);
-  EXPECT_EQ(project([](gaunt_image& i) { i.pixel_stride = 13; }), GAUNT_ERROR_LAYOUT);
-  EXPECT_EQ(project([](gaunt_image& i) { i.row_stride = 2; }), GAUNT_ERROR_LAYOUT);
-  gaunt_project_options options = {3, 0};
-  EXPECT_EQ(gaunt_project_equirect(3, 3, &test.image, &options, &out), GAUNT_ERROR_STRUCT);
-  options = {sizeof(options), 2};
-  EXPECT_EQ(gaunt_project_equirect(3, 3, &test.image, &options, &out), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_project_equirect(3, 3, image, nullptr, nullptr), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_equirect_rows(3, 3, nullptr, 0, 4, nullptr, sums), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_equirect_rows(3, 3, image, 0, 4, nullptr, nullptr), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_equirect_rows(3, 3, image, 0, 3, nullptr, sums), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_project_equirect_rows(3, 3, image, 1, 4, nullptr, sums), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_project_equirect_rows(3, 3, image, UINT32_MAX, 4, nullptr, sums),
+            GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_project_equirect_rows(3, 3, image, 0, 65537, nullptr, sums), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_project_cubemap(3, 3, nullptr, nullptr, &out), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_cubemap(3, 3, cube.images(), nullptr, nullptr), GAUNT_ERROR_NULL);
+  for (int k = 0; k < 6; ++k) {
+    const gaunt_image* faces[6];
+    std::copy(cube.images(), cube.images() + 6, faces);
+    faces[k] = nullptr;
+    EXPECT_EQ(gaunt_project_cubemap(3, 3, faces, nullptr, &out), GAUNT_ERROR_NULL);
+    gaunt_image other = *cube.images()[k];
+    other.height = 3;
+    faces[k] = &other;
+    EXPECT_EQ(gaunt_project_cubemap(3, 3, faces, nullptr, &out), GAUNT_ERROR_RANGE);
+    other.width = 3;
+    EXPECT_EQ(gaunt_project_cubemap(3, 3, faces, nullptr, &out), GAUNT_ERROR_RANGE);
+  }
+  const gaunt_image* const face = cube.images()[0];
+  EXPECT_EQ(gaunt_project_cubemap_rows(3, 3, 6, face, 0, nullptr, sums), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_project_cubemap_rows(3, 3, 0, nullptr, 0, nullptr, sums), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_cubemap_rows(3, 3, 0, face, 0, nullptr, nullptr), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_cubemap_rows(3, 3, 0, face, 1, nullptr, sums), GAUNT_ERROR_RANGE);
+  double* const askew = reinterpret_cast<double*>(reinterpret_cast<char*>(sums) + 4);
+  EXPECT_EQ(gaunt_project_equirect_rows(3, 3, image, 0, 4, nullptr, askew), GAUNT_ERROR_LAYOUT);
+  EXPECT_EQ(gaunt_project_cubemap_rows(3, 3, 0, face, 0, nullptr, askew), GAUNT_ERROR_LAYOUT);
+  EXPECT_EQ(gaunt_project_samples_add(3, 3, 9, &d, &v, &w, askew), GAUNT_ERROR_LAYOUT);
+  EXPECT_EQ(gaunt_project_sums(3, 3, askew, &out), GAUNT_ERROR_LAYOUT);
+
+  gaunt_view bad = out;
+  bad.plane_stride = 2;
+  EXPECT_EQ(gaunt_project_equirect(3, 3, image, nullptr, &bad), GAUNT_ERROR_LAYOUT);
+  EXPECT_EQ(gaunt_project_cubemap(3, 3, cube.images(), nullptr, &bad), GAUNT_ERROR_LAYOUT);
+  EXPECT_EQ(gaunt_project_samples(3, 3, 9, &d, &v, &w, &bad), GAUNT_ERROR_LAYOUT);
+  EXPECT_EQ(gaunt_project_sums(3, 3, sums, &bad), GAUNT_ERROR_LAYOUT);
+  bad = out;
+  bad.plane_stride = 0;
+  EXPECT_EQ(gaunt_project_samples(3, 3, 9, &d, &v, &w, &bad), GAUNT_ERROR_LAYOUT);
+  EXPECT_EQ(gaunt_project_samples(3, 3, 9, nullptr, &v, &w, &out), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_samples(3, 3, 9, &d, nullptr, &w, &out), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_samples(3, 3, 9, &d, &v, nullptr, &out), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_samples(3, 3, 9, &d, &v, &w, nullptr), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_samples(3, 3, 0, nullptr, nullptr, nullptr, nullptr), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_samples_add(3, 3, 9, &d, &v, &w, nullptr), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_samples_add(3, 3, 9, nullptr, &v, &w, sums), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_samples(3, 3, SIZE_MAX, &d, &v, &w, &out), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_project_sums(3, 3, nullptr, &out), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_project_sums(3, 3, sums, nullptr), GAUNT_ERROR_NULL);
+  // Outputs over inputs.
+  gaunt_view inside = out;
+  inside.data = f + 2;
+  EXPECT_EQ(gaunt_project_samples(3, 3, 5, &inside, &v, &w, &out), GAUNT_ERROR_OVERLAP);
+  EXPECT_EQ(gaunt_project_samples(3, 3, 5, &d, &v, &inside, &out), GAUNT_ERROR_OVERLAP);
+  gaunt_view over_sums = out;
+  over_sums.data = reinterpret_cast<float*>(sums);
+  EXPECT_EQ(gaunt_project_samples_add(3, 3, 1, &over_sums, &v, &w, sums), GAUNT_ERROR_OVERLAP);
+  EXPECT_EQ(gaunt_project_sums(3, 3, sums, &over_sums), GAUNT_ERROR_OVERLAP);
+
   for (const float value : f) EXPECT_EQ(value, 5.0f);
+  for (const double value : sums) EXPECT_EQ(value, 5.0);
+}
+
+TEST_P(Project, OptionsOfTheFirstVersionAreValid) {
+  TestCube cube(4, 1, Styles()[0]);
+  cube.Fill([](int, int, int, int) { return -1.0; });
+  // No byte beyond the size is read.
+  GuardedBytes memory(8);
+  const uint32_t first[2] = {8, GAUNT_PROJECT_CLAMP};
+  std::memcpy(memory.data(), first, 8);
+  float f[1] = {1.0f};
+  gaunt_view out;
+  gaunt_view_interleaved(f, 1, &out);
+  const auto* const options = reinterpret_cast<const gaunt_project_options*>(memory.data());
+  ASSERT_EQ(gaunt_project_cubemap(1, 1, cube.images(), options, &out), GAUNT_OK);
+  EXPECT_EQ(f[0], 0.0f);
 }
 
 GAUNT_INSTANTIATE_TARGETS(Project);

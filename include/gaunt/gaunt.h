@@ -332,26 +332,60 @@ GAUNT_API gaunt_status gaunt_sh_blend(uint32_t n, uint32_t channels, size_t coun
 
 /* ---- project --------------------------------------------------------------------------------- */
 
-enum { GAUNT_TEXEL_F32 = 0 };
+enum {
+  GAUNT_TEXEL_F32 = 0, /**< float */
+  GAUNT_TEXEL_F16 = 1  /**< IEEE 754 half precision */
+};
 
 /** An image in memory. The channels of a texel lie back to back. */
 typedef struct gaunt_image {
-  const void* pixels;     /**< first texel of the first row */
+  const void* pixels;     /**< first texel of the first row, aligned to a channel of a texel */
   uint32_t width;         /**< texels, 1 .. 65536 */
   uint32_t height;        /**< rows, 1 .. 65536 */
-  ptrdiff_t pixel_stride; /**< bytes, a multiple of 4; at least the size of a texel, or negative */
-  ptrdiff_t row_stride;   /**< bytes, a multiple of 4; may be negative */
-  uint32_t type;          /**< GAUNT_TEXEL_F32 */
+  ptrdiff_t pixel_stride; /**< bytes; at least the size of a texel, or negative */
+  ptrdiff_t row_stride;   /**< bytes; may be negative. Both are multiples of a channel's size */
+  uint32_t type;          /**< GAUNT_TEXEL_* */
 } gaunt_image;
 
 enum {
-  /** Texels that are negative or not finite count as 0. Without it a NaN spreads to all outputs. */
+  /** Texels that are negative or not finite count as 0, each channel by itself. Without it a NaN
+      spreads to all coefficients of its channel. */
   GAUNT_PROJECT_CLAMP = 1
 };
 
+/**
+ * Where the texels of a cubemap lie. The faces are +X, -X, +Y, -Y, +Z, -Z, in this order. The texel
+ * in column i and row j of a face that is N wide, with u = (2 i + 1) / N - 1 and v = (2 j + 1) / N
+ * - 1, looks along
+ *
+ *   face  direction              columns go to  rows go to
+ *   +X    ( 1, -v, -u) / |.|     -z             -y
+ *   -X    (-1, -v,  u) / |.|     +z             -y
+ *   +Y    ( u,  1,  v) / |.|     +x             +z
+ *   -Y    ( u, -1, -v) / |.|     +x             -z
+ *   +Z    ( u, -v,  1) / |.|     +x             -y
+ *   -Z    (-u, -v, -1) / |.|     -x             -y
+ *
+ * The three conventions agree about memory, so one table serves them all:
+ *   D3D    array slices 0 .. 5, row 0 at the top; the world is left-handed. The table is that of
+ *          DirectXMath's SHProjectCubeMap.
+ *   GL     GL_TEXTURE_CUBE_MAP_POSITIVE_X .. NEGATIVE_Z, the first row of the data at t = 0. The
+ *          table is that of sc, tc and ma in EXT_texture_cube_map and in OpenGL 4.6, section 8.13,
+ *          made to agree with Direct3D: in GL's right-handed world, a face seen from inside the cube
+ *          is mirrored.
+ *   UNITY  Cubemap.GetPixels(face), CubemapFace 0 .. 5: element i + N j is the texel (i, j) of the
+ *          table, unlike a Texture2D, whose first row is the bottom one: faces that were read as a
+ *          Texture2D want a negative row stride. (Unity's manual calls the rows of GetPixels top to
+ *          bottom in older versions and bottom to top in newer ones. Its built-in shader
+ *          Internal-ConvertTexture has this table, and so has the code in issue 992 of
+ *          Unity-Technologies/arfoundation-samples.)
+ */
+enum { GAUNT_CUBE_D3D = 0, GAUNT_CUBE_GL = 1, GAUNT_CUBE_UNITY = 2 };
+
 typedef struct gaunt_project_options {
-  uint32_t struct_size; /**< sizeof(gaunt_project_options) */
+  uint32_t struct_size; /**< sizeof(gaunt_project_options); 8, without `cube`, is valid too */
   uint32_t flags;       /**< any of GAUNT_PROJECT_* */
+  uint32_t cube;        /**< GAUNT_CUBE_*; read for cubemaps */
 } gaunt_project_options;
 
 /**
@@ -369,7 +403,8 @@ typedef struct gaunt_project_options {
  * options   NULL for defaults
  * out       channels * n^2 planes of 1 item, in the quantity of the texels (radiance)
  *
- * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi; sums are double.
+ * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi, at any order: a few
+ *            texels are summed in float, and those sums in double.
  * Overlap:   none is checked; the image must not be the output.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _FORMAT, _STRUCT.
  */
@@ -377,6 +412,104 @@ GAUNT_API gaunt_status gaunt_project_equirect(uint32_t n, uint32_t channels,
                                               const gaunt_image* image,
                                               const gaunt_project_options* options,
                                               const gaunt_view* out);
+
+/**
+ * Projects a cubemap, as gaunt_project_equirect() does a panorama. The solid angle is exact:
+ *   F(u + h, v + h) - F(u - h, v + h) - F(u + h, v - h) + F(u - h, v - h), h = 1 / N,
+ *   F(x, y) = atan(x y / sqrt(x^2 + y^2 + 1)).
+ * The coefficients are in the axes that the faces are named by; gaunt_convert() turns axes.
+ *
+ * faces  +X -X +Y -Y +Z -Z, square and of equal size, each with strides and a type of its own
+ *
+ * Up to order 10 it takes moments of the faces, 2 n - 1 multiplications a texel and channel; above,
+ * the basis at each texel, n^2.
+ *
+ * Accuracy:  |error| <= e of the mean magnitude of the texels times 4 pi, with e = 2e-6 up to order
+ *            10 and e = 2e-6 + 2e-8 (l+1)^2.5 in band l above.
+ * Returns as gaunt_project_equirect(); GAUNT_ERROR_RANGE for faces that are not square or equal.
+ */
+GAUNT_API gaunt_status gaunt_project_cubemap(uint32_t n, uint32_t channels,
+                                             const gaunt_image* const faces[6],
+                                             const gaunt_project_options* options,
+                                             const gaunt_view* out);
+
+/**
+ * Adds some rows of a panorama to sums, for threads, for streams and for progress: the sum over all
+ * rows is what gaunt_project_equirect() gives, in any split and order. Threads take sums of their
+ * own, which are then added up. Some tens of rows in a call are about as fast as all of them.
+ *
+ * rows       rows->height rows in hand
+ * first_row  row of the panorama that the first of them is
+ * height     rows of the whole panorama, 1 .. 65536
+ * sums       channels * n^2 doubles, sums[channel * n^2 + i]: zeros at first
+ *
+ * Accuracy:  in any split, sums agree to 1e-12 of the mean magnitude of the texels times 4 pi; those
+ *            of cubemaps above order 10 to 2e-6.
+ * Overlap:   none is checked; the rows must not be the sums.
+ * Returns as gaunt_project_equirect(); GAUNT_ERROR_RANGE for rows that the panorama does not have.
+ */
+GAUNT_API gaunt_status gaunt_project_equirect_rows(uint32_t n, uint32_t channels,
+                                                   const gaunt_image* rows, uint32_t first_row,
+                                                   uint32_t height,
+                                                   const gaunt_project_options* options,
+                                                   double* sums);
+
+/**
+ * Adds some rows of a face of a cubemap to sums, as gaunt_project_equirect_rows() does. Whole faces
+ * are the best: rows j and N - 1 - j of a call share what is made for one of them. It takes twice as
+ * long as gaunt_project_cubemap(), in which all six faces do.
+ *
+ * face       0 .. 5
+ * rows       rows->height rows in hand, of a face whose size is rows->width
+ * first_row  row of the face that the first of them is
+ */
+GAUNT_API gaunt_status gaunt_project_cubemap_rows(uint32_t n, uint32_t channels, uint32_t face,
+                                                  const gaunt_image* rows, uint32_t first_row,
+                                                  const gaunt_project_options* options,
+                                                  double* sums);
+
+/**
+ * Projects weighted samples:
+ *   out(c, lm) = sum over i of weights(i) values_c(i) y_lm(directions(i)).
+ * With uniform directions, weights of 4 pi / count estimate the coefficients.
+ *
+ * n           order, 1 .. GAUNT_MAX_ORDER
+ * channels    1 .. GAUNT_MAX_CHANNELS
+ * count       samples; with 0, the output is 0
+ * directions  3 planes, unit vectors
+ * values      `channels` planes
+ * weights     1 plane; broadcast for one weight
+ * out         channels * n^2 planes of 1 item
+ *
+ * A NaN spreads to all coefficients of its channel, or of all, if it is not in a value.
+ *
+ * Accuracy:  |error| <= 2e-6 + 2e-8 (l+1)^2.5 in band l, of the sum of |weight value|; short
+ *            stretches are summed in float, and those in double.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_project_samples(uint32_t n, uint32_t channels, size_t count,
+                                             const gaunt_view* directions, const gaunt_view* values,
+                                             const gaunt_view* weights, const gaunt_view* out);
+
+/** Adds samples to sums, as gaunt_project_equirect_rows() does rows. */
+GAUNT_API gaunt_status gaunt_project_samples_add(uint32_t n, uint32_t channels, size_t count,
+                                                 const gaunt_view* directions,
+                                                 const gaunt_view* values,
+                                                 const gaunt_view* weights, double* sums);
+
+/**
+ * Rounds sums to coefficients.
+ *
+ * sums  channels * n^2 doubles, as of gaunt_project_equirect_rows()
+ * out   channels * n^2 planes of 1 item
+ *
+ * Accuracy:  exact rounding.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_project_sums(uint32_t n, uint32_t channels, const double* sums,
+                                          const gaunt_view* out);
 
 /* ---- rotate ---------------------------------------------------------------------------------- */
 

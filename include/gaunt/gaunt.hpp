@@ -131,6 +131,46 @@ inline void ProjectEquirect(uint32_t n, uint32_t channels, const gaunt_image& im
                 gaunt_project_equirect(n, channels, &image, options, out.get()));
 }
 
+inline void ProjectEquirectRows(uint32_t n, uint32_t channels, const gaunt_image& rows,
+                                uint32_t first_row, uint32_t height,
+                                const gaunt_project_options* options, double* sums) {
+  detail::Check("gaunt_project_equirect_rows",
+                gaunt_project_equirect_rows(n, channels, &rows, first_row, height, options, sums));
+}
+
+inline void ProjectCubemap(uint32_t n, uint32_t channels, const gaunt_image (&faces)[6],
+                           const gaunt_project_options* options, const OutView& out) {
+  const gaunt_image* const pointers[6] = {&faces[0], &faces[1], &faces[2],
+                                          &faces[3], &faces[4], &faces[5]};
+  detail::Check("gaunt_project_cubemap",
+                gaunt_project_cubemap(n, channels, pointers, options, out.get()));
+}
+
+inline void ProjectCubemapRows(uint32_t n, uint32_t channels, uint32_t face,
+                               const gaunt_image& rows, uint32_t first_row,
+                               const gaunt_project_options* options, double* sums) {
+  detail::Check("gaunt_project_cubemap_rows",
+                gaunt_project_cubemap_rows(n, channels, face, &rows, first_row, options, sums));
+}
+
+inline void ProjectSamples(uint32_t n, uint32_t channels, size_t count, const InView& directions,
+                           const InView& values, const InView& weights, const OutView& out) {
+  detail::Check("gaunt_project_samples",
+                gaunt_project_samples(n, channels, count, directions.get(), values.get(),
+                                      weights.get(), out.get()));
+}
+
+inline void ProjectSamplesAdd(uint32_t n, uint32_t channels, size_t count, const InView& directions,
+                              const InView& values, const InView& weights, double* sums) {
+  detail::Check("gaunt_project_samples_add",
+                gaunt_project_samples_add(n, channels, count, directions.get(), values.get(),
+                                          weights.get(), sums));
+}
+
+inline void ProjectSums(uint32_t n, uint32_t channels, const double* sums, const OutView& out) {
+  detail::Check("gaunt_project_sums", gaunt_project_sums(n, channels, sums, out.get()));
+}
+
 inline void Rotate(uint32_t n, uint32_t channels, size_t count, const InView& quaternions,
                    const InView& in, const OutView& out) {
   detail::Check("gaunt_rotate",

@@ -11,28 +11,36 @@
 
 namespace gaunt::test {
 
-class GuardedFloats {
+class GuardedBytes {
  public:
-  explicit GuardedFloats(size_t floats) {
+  explicit GuardedBytes(size_t bytes) {
     const size_t page = static_cast<size_t>(sysconf(_SC_PAGESIZE));
-    const size_t bytes = floats * sizeof(float);
     const size_t body = (bytes + page - 1) / page * page;
     size_ = body + page;
     memory_ = static_cast<char*>(
         mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
     mprotect(memory_ + body, page, PROT_NONE);
-    data_ = reinterpret_cast<float*>(memory_ + body - bytes);
+    data_ = memory_ + body - bytes;
   }
-  ~GuardedFloats() { munmap(memory_, size_); }
-  GuardedFloats(const GuardedFloats&) = delete;
-  GuardedFloats& operator=(const GuardedFloats&) = delete;
+  ~GuardedBytes() { munmap(memory_, size_); }
+  GuardedBytes(const GuardedBytes&) = delete;
+  GuardedBytes& operator=(const GuardedBytes&) = delete;
 
-  float* data() const { return data_; }
+  char* data() const { return data_; }
 
  private:
   char* memory_;
   size_t size_;
-  float* data_;
+  char* data_;
+};
+
+class GuardedFloats {
+ public:
+  explicit GuardedFloats(size_t floats) : bytes_(floats * sizeof(float)) {}
+  float* data() const { return reinterpret_cast<float*>(bytes_.data()); }
+
+ private:
+  GuardedBytes bytes_;
 };
 
 }  // namespace gaunt::test
