@@ -63,9 +63,12 @@ TEST_P(Panoramic, ProjectionMatchesTheDefinition) {
     rows.height /= 8;
     const std::vector<float> got = Project(4, rows);
     std::vector<double> wanted(got.size());
-    project::EquirectReference(4, 3, panorama.texels.data(), static_cast<int>(rows.width),
-                               static_cast<int>(rows.height), 3, rows.row_stride / 4,
-                               wanted.data());
+    const auto texel = [&](int column, int row, int channel) {
+      const size_t at = static_cast<size_t>(8 * row) * rows.width + static_cast<size_t>(column);
+      return double{panorama.texels[3 * at + static_cast<size_t>(channel)]};
+    };
+    project::EquirectReference(4, 3, static_cast<int>(rows.width), static_cast<int>(rows.height),
+                               texel, wanted.data());
     ExpectClose(got, std::vector<float>(wanted.begin(), wanted.end()), 1e-6);
   }
 }
@@ -151,7 +154,7 @@ TEST_P(Panoramic, MirroredColumnsAreAnotherHand) {
 TEST_P(Panoramic, ClampingRemovesLittle) {
   for (const Panorama& panorama : Panoramas()) {
     SCOPED_TRACE(panorama.name);
-    const gaunt_project_options options = {sizeof(options), GAUNT_PROJECT_CLAMP};
+    const gaunt_project_options options = {sizeof(options), GAUNT_PROJECT_CLAMP, GAUNT_CUBE_D3D};
     std::vector<float> clamped(27);
     gaunt_view out;
     gaunt_view_interleaved(clamped.data(), 27, &out);
