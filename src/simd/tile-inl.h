@@ -167,53 +167,100 @@ inline void StoreGroups(const float*, const simd::OutView&, RowShape, size_t, si
 
 #endif
 
-// Items first .. first + n into consecutive tiles. Lanes of the last group beyond n repeat an item,
+// kBit floats if n has that bit, then the lower bits: a run of fewer than two vectors.
+template <size_t kBit = kTileItems / 2>
+GAUNT_LANES void CopyRun(const unsigned char* HWY_RESTRICT from, unsigned char* HWY_RESTRICT to,
+                         size_t n) {
+  if constexpr (kBit != 0) {
+    const size_t bytes = (n & kBit) * sizeof(float);
+    if (bytes != 0) std::memcpy(to, from, kBit * sizeof(float));
+    CopyRun<kBit / 2>(from + bytes, to + bytes, n);
+  }
+}
+
+// Whole groups of contiguous items per plane.
+GAUNT_LANES void CopyPlanes(PlanesIn from, PlanesOut to, size_t planes) {
+  for (size_t p = 0; p < planes; ++p) to(p, from(p));
+}
+
+// The last n items of a batch, fewer than lanes, in any layout. Lanes beyond them repeat the first,
 // so that they cost no slow arithmetic on leftover bits.
+GAUNT_LANES void LoadTail(const simd::InView& view, RowShape shape, size_t first, size_t n,
+                          size_t planes, float* HWY_RESTRICT tile) {
+  const LaneTag d;
+  for (size_t p = 0; p < planes; ++p) {
+    const unsigned char* const from =
+        view.Item(first) + static_cast<ptrdiff_t>(p) * view.plane_stride;
+    float* const to = tile + p * kTileItems;
+    float value;
+    std::memcpy(&value, from, sizeof(value));
+    hn::Store(hn::Set(d, value), d, to);
+    if (shape == RowShape::kPlanes) CopyRun(from, reinterpret_cast<unsigned char*>(to), n);
+  }
+  if (shape == RowShape::kPlanes) return;
+  for (size_t lane = 1; lane < n; ++lane) {
+    const unsigned char* const item = view.Item(first + lane);
+    for (size_t p = 0; p < planes; ++p) {
+      std::memcpy(tile + p * kTileItems + lane,
+                  item + static_cast<ptrdiff_t>(p) * view.plane_stride, sizeof(float));
+    }
+  }
+}
+
+GAUNT_LANES void StoreTail(const float* HWY_RESTRICT tile, const simd::OutView& view,
+                           RowShape shape, size_t first, size_t n, size_t planes) {
+  if (shape == RowShape::kPlanes) {
+    unsigned char* to = view.Item(first);
+    for (size_t p = 0; p < planes; ++p, to += view.plane_stride) {
+      CopyRun(reinterpret_cast<const unsigned char*>(tile + p * kTileItems), to, n);
+    }
+    return;
+  }
+  for (size_t lane = 0; lane < n; ++lane) {
+    unsigned char* const item = view.Item(first + lane);
+    for (size_t p = 0; p < planes; ++p) {
+      std::memcpy(item + static_cast<ptrdiff_t>(p) * view.plane_stride,
+                  tile + p * kTileItems + lane, sizeof(float));
+    }
+  }
+}
+
+// Items first .. first + n into consecutive tiles.
 inline HWY_NOINLINE void LoadTiles(const simd::InView& view, RowShape shape, size_t first, size_t n,
                                    size_t planes, float* HWY_RESTRICT tile) {
   const size_t lanes = hn::Lanes(LaneTag());
-  size_t i = shape == RowShape::kOther ? 0 : n / lanes * lanes;
+  const size_t whole = n / lanes * lanes;
+  size_t i = 0;
   if (shape == RowShape::kPlanes) {
-    for (size_t at = 0; at < i; at += lanes) {
-      const PlanesIn from = {view.Item(first + at), view.plane_stride};
-      const PlanesOut to = TileOut(InTiles(tile, planes, at));
-      for (size_t p = 0; p < planes; ++p) to(p, from(p));
+    for (; i < whole; i += lanes) {
+      CopyPlanes({view.Item(first + i), view.plane_stride}, TileOut(InTiles(tile, planes, i)),
+                 planes);
     }
-  } else if (i != 0) {
-    LoadGroups(view, shape, first, i, planes, tile);
+  } else if (shape != RowShape::kOther && whole != 0) {
+    LoadGroups(view, shape, first, whole, planes, tile);
+    i = whole;
   }
   for (; i < n; i += lanes) {
-    float* const group = InTiles(tile, planes, i);
-    for (size_t lane = 0; lane < lanes; ++lane) {
-      const unsigned char* item = view.Item(first + i + (i + lane < n ? lane : 0));
-      for (size_t p = 0; p < planes; ++p) {
-        std::memcpy(group + p * kTileItems + lane,
-                    item + static_cast<ptrdiff_t>(p) * view.plane_stride, sizeof(float));
-      }
-    }
+    LoadTail(view, shape, first + i, std::min(lanes, n - i), planes, InTiles(tile, planes, i));
   }
 }
 
 inline HWY_NOINLINE void StoreTiles(const float* HWY_RESTRICT tile, const simd::OutView& view,
                                     RowShape shape, size_t first, size_t n, size_t planes) {
   const size_t lanes = hn::Lanes(LaneTag());
-  size_t i = shape == RowShape::kOther ? 0 : n / lanes * lanes;
+  const size_t whole = n / lanes * lanes;
+  size_t i = 0;
   if (shape == RowShape::kPlanes) {
-    for (size_t at = 0; at < i; at += lanes) {
-      const PlanesIn from = TileIn(InTiles(tile, planes, at));
-      const PlanesOut to = {view.Item(first + at), view.plane_stride};
-      for (size_t p = 0; p < planes; ++p) to(p, from(p));
+    for (; i < whole; i += lanes) {
+      CopyPlanes(TileIn(InTiles(tile, planes, i)), {view.Item(first + i), view.plane_stride},
+                 planes);
     }
-  } else if (i != 0) {
-    StoreGroups(tile, view, shape, first, i, planes);
+  } else if (shape != RowShape::kOther && whole != 0) {
+    StoreGroups(tile, view, shape, first, whole, planes);
+    i = whole;
   }
-  for (; i < n; ++i) {
-    const float* const from = InTiles(tile, planes, i);
-    unsigned char* item = view.Item(first + i);
-    for (size_t p = 0; p < planes; ++p) {
-      std::memcpy(item + static_cast<ptrdiff_t>(p) * view.plane_stride, from + p * kTileItems,
-                  sizeof(float));
-    }
+  for (; i < n; i += lanes) {
+    StoreTail(InTiles(tile, planes, i), view, shape, first + i, std::min(lanes, n - i), planes);
   }
 }
 
