@@ -15,9 +15,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::basis::HWY_NAMESPACE {
 
+// Orders up to which packed rows have a loop of their own.
+constexpr int kMaxPacked = 6;
+
 template <int n>
 void EvalBatch(size_t count, const simd::InView& directions, const simd::OutView& out) {
-  ForEachBatch(count, Eval<n>(), In<3>(directions), Out<NumCoefficients(n)>(out));
+  constexpr size_t kPlanes = NumCoefficients(n);
+  if constexpr (n > 1 && n <= kMaxPacked) {
+    if (ForEachPacked<3, kPlanes>(count, Eval<n>(), directions, out)) return;
+  }
+  ForEachBatch(count, Eval<n>(), In<3>(directions), Out<kPlanes>(out));
 }
 
 // Whole tiles whose planes can be written where they lie, column by column; both groups of a tile

@@ -244,6 +244,51 @@ void ForEachBatch(size_t count, const Kernel& kernel, Sides&&... sides) {
   RunBatch<K>(count, kernel, AsSide(sides)...);
 }
 
+#if GAUNT_WIDE_TRANSPOSES
+
+template <size_t kIn, size_t kOut, class Kernel>
+HWY_NOINLINE void RunPacked(const Kernel kernel, size_t groups, const float* HWY_RESTRICT in,
+                            float* HWY_RESTRICT out) {
+  HWY_ALIGN float in_tile[kIn * kTileItems];
+  HWY_ALIGN float out_tile[kOut * kTileItems];
+  const Lanes k;
+  for (; groups != 0; --groups) {
+    LoadPackedGroup<kIn>(in, in_tile);
+    kernel(k, TileIn(in_tile), TileOut(out_tile));
+    StorePackedGroup<kOut>(out_tile, out);
+    in += kIn * hn::MaxLanes(LaneTag());
+    out += kOut * hn::MaxLanes(LaneTag());
+  }
+}
+
+// Packed rows of one input to packed rows of one output that is not in place, group by group: the
+// transpositions of one group overlap with the kernel of the next. A tail is done with the items
+// before it, once more. False, doing nothing, where this does not apply.
+template <size_t kIn, size_t kOut, class Kernel>
+bool ForEachPacked(size_t count, const Kernel& kernel, const simd::InView& in,
+                   const simd::OutView& out) {
+  const size_t lanes = hn::MaxLanes(LaneTag());
+  if (count < lanes || !IsPacked(in, kIn) || !IsPacked(out, kOut) || WorthStreaming(count, kOut)) {
+    return false;
+  }
+  const auto run = [&](size_t first, size_t groups) {
+    RunPacked<kIn, kOut>(kernel, groups, reinterpret_cast<const float*>(in.data) + first * kIn,
+                         reinterpret_cast<float*>(out.data) + first * kOut);
+  };
+  run(0, count / lanes);
+  if (count % lanes != 0) run(count - lanes, 1);
+  return true;
+}
+
+#else
+
+template <size_t, size_t, class Kernel>
+bool ForEachPacked(size_t, const Kernel&, const simd::InView&, const simd::OutView&) {
+  return false;
+}
+
+#endif
+
 }  // namespace gaunt::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

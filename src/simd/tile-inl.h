@@ -46,6 +46,13 @@ enum class RowShape {
   kPacked9   // nine, back to back
 };
 
+// Whether items are rows of contiguous planes, back to back.
+template <typename View>
+bool IsPacked(const View& view, size_t planes) {
+  return view.tile_items == 0 && view.plane_stride == sizeof(float) &&
+         view.item_stride == static_cast<ptrdiff_t>(planes * sizeof(float));
+}
+
 template <typename View>
 RowShape ShapeOf(const View& view, size_t planes) {
   const bool one_run = view.tile_items == 0 || view.tile_items % hn::Lanes(LaneTag()) == 0;
@@ -100,22 +107,38 @@ GAUNT_LANES void StoreRows(const float* HWY_RESTRICT tile, unsigned char* row,
 
 #if GAUNT_WIDE_TRANSPOSES
 
-// Groups of items back to back.
-template <int kRow>
-GAUNT_LANES void LoadPacked(const float* HWY_RESTRICT rows, size_t items,
-                            float* HWY_RESTRICT tile) {
-  constexpr size_t kLanes = hn::MaxLanes(LaneTag());
-  for (size_t i = 0; i < items; i += kLanes) {
-    OddRows<kRow>().Load(rows + i * kRow, InTiles(tile, kRow, i), kTileItems);
+// A group of items back to back.
+template <size_t kRow>
+GAUNT_LANES void LoadPackedGroup(const float* HWY_RESTRICT rows, float* HWY_RESTRICT tile) {
+  if constexpr (kRow == 3 || kRow == 9) {
+    OddRows<kRow>().Load(rows, tile, kTileItems);
+  } else {
+    LoadRows(reinterpret_cast<const unsigned char*>(rows), kRow * sizeof(float), kRow, tile);
   }
 }
 
-template <int kRow>
+template <size_t kRow>
+GAUNT_LANES void StorePackedGroup(const float* HWY_RESTRICT tile, float* HWY_RESTRICT rows) {
+  if constexpr (kRow == 3 || kRow == 9) {
+    OddRows<kRow>().Store(tile, kTileItems, rows);
+  } else {
+    StoreRows(tile, reinterpret_cast<unsigned char*>(rows), kRow * sizeof(float), kRow);
+  }
+}
+
+template <size_t kRow>
+GAUNT_LANES void LoadPacked(const float* HWY_RESTRICT rows, size_t items,
+                            float* HWY_RESTRICT tile) {
+  for (size_t i = 0; i < items; i += hn::MaxLanes(LaneTag())) {
+    LoadPackedGroup<kRow>(rows + i * kRow, InTiles(tile, kRow, i));
+  }
+}
+
+template <size_t kRow>
 GAUNT_LANES void StorePacked(const float* HWY_RESTRICT tile, size_t items,
                              float* HWY_RESTRICT rows) {
-  constexpr size_t kLanes = hn::MaxLanes(LaneTag());
-  for (size_t i = 0; i < items; i += kLanes) {
-    OddRows<kRow>().Store(InTiles(tile, kRow, i), kTileItems, rows + i * kRow);
+  for (size_t i = 0; i < items; i += hn::MaxLanes(LaneTag())) {
+    StorePackedGroup<kRow>(InTiles(tile, kRow, i), rows + i * kRow);
   }
 }
 
@@ -276,8 +299,7 @@ inline bool CanStream(const simd::OutView& view, size_t first, size_t planes) {
     return view.plane_stride % kLine == 0 && first % kTileItems == 0 &&
            view.tile_items % kTileItems == 0 && view.tile_stride % kLine == 0;
   }
-  return view.tile_items == 0 && planes <= kMaxPackedPlanes &&
-         view.item_stride == static_cast<ptrdiff_t>(planes * sizeof(float)) &&
+  return IsPacked(view, planes) && planes <= kMaxPackedPlanes &&
          ShapeOf(view, planes) != RowShape::kOther;
 }
 
