@@ -21,8 +21,10 @@ void QuadraticBatch(size_t count, const simd::InView& coefficients, const simd::
                     const simd::OutView& out) {
   constexpr size_t kPlanes = kChannels * kQuadraticPlanes;
   EvaluateQuadratics<kChannels> kernel;
-  ForEachBatch(1, Quadratics<Quantity>{kChannels}, In<kChannels * 9>(coefficients),
-               Out<kPlanes>(simd::InterleavedOut(kernel.item, kPlanes)));
+  HWY_ALIGN float tile[kPlanes * kTileItems];
+  Quadratics<Quantity>{kChannels}(Lanes(), SplatIn{coefficients.data, coefficients.plane_stride},
+                                  TileOut(tile));
+  for (size_t p = 0; p < kPlanes; ++p) kernel.item[p] = tile[p * kTileItems];
   ForEachBatch(count, kernel, In<3>(directions), Out<kChannels>(out));
 }
 

@@ -70,6 +70,9 @@ struct PlanesIn {
 struct SplatIn {
   const unsigned char* data;
   ptrdiff_t stride;
+  GAUNT_LANES SplatIn From(size_t p) const {
+    return {data + static_cast<ptrdiff_t>(p) * stride, stride};
+  }
   GAUNT_LANES hn::Vec<LaneTag> operator()(size_t p) const {
     float value;
     std::memcpy(&value, data + static_cast<ptrdiff_t>(p) * stride, sizeof(value));
