@@ -394,8 +394,8 @@ typedef struct gaunt_project_options {
  * with the value taken at the texel's centre and the exact solid angle of a texel of its row:
  *   direction = (sin th cos ph, sin th sin ph, cos th), th = pi (row + 1/2) / height,
  *   ph = pi - 2 pi (column + 1/2) / width,  solid angle = (2 pi / width) (cos th_0 - cos th_1).
- * So the top row is +z, the centre looks at +x, and right of it is -y, as seen from inside. For
- * axes with y up, rotate the result.
+ * So the top row is +z, the centre looks at +x, and right of it is -y, as seen from inside;
+ * gaunt_convert() turns the coefficients to other axes.
  *
  * n         order, 1 .. GAUNT_MAX_ORDER
  * channels  1 .. GAUNT_MAX_CHANNELS; further channels of the texels are skipped by pixel_stride
