@@ -47,10 +47,8 @@ Operations CountGradientBand(int l) {
 
 void AppendOperations(OperationRows& rows) {
   AppendUnrolled<1>(rows);
-  for (int n = 1; n <= kMaxOrder; ++n) {
+  for (const int n : CountedOrders()) {
     rows.push_back({"basis", std::to_string(n), "bands", SumOverBands(n, CountBand)});
-  }
-  for (int n = 1; n <= kMaxOrder; ++n) {
     rows.push_back(
         {"basis_gradient", std::to_string(n), "bands", SumOverBands(n, CountGradientBand)});
   }
