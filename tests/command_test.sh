@@ -85,6 +85,17 @@ cmp -s again/frame.png pictures/courtyard/frame.png || fail "pictures differ bet
 taskset -c 0 "$gaunt" frame "${small[@]}" --out one_core >/dev/null || fail "one core"
 cmp -s one_core/frame.png pictures/courtyard/frame.png || fail "pictures depend on the cores"
 
+# Links are followed, other files of the user stay, and what is no file is written itself.
+echo old >real.txt && ln -s real.txt link.txt && echo mine >link.txt.part && mkfifo pipe
+"$gaunt" points --repulsion 2 --csv --out link.txt >out.txt || fail "points to a link"
+[ -L link.txt ] && grep -q '^2,' real.txt || fail "a link was replaced"
+[ "$(cat link.txt.part)" = mine ] || fail "a file of the user was lost"
+cat pipe >piped.txt &
+"$gaunt" points --repulsion 2 --csv --out pipe >out.txt || fail "points to a pipe"
+wait
+[ -p pipe ] && cmp -s piped.txt real.txt || fail "a pipe was replaced"
+rm link.txt.part
+
 "$gaunt" opcount --csv >csv.txt || fail "opcount"
 [ "$(head -1 csv.txt)" = op,order,variant,mul,fma,add,ports ] || fail "header of opcount"
 awk -F, 'NR > 1 && ($4 + $5 + $6 != $7 || NF != 7) { exit 1 }' csv.txt || fail "sums of opcount"

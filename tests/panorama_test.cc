@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What holds for any light, on real light: projections of real panoramas, turned, mirrored, and
-// taken to cubemaps and back.
+// converted.
 #include "tests/support/panorama.h"
 
 #include <gtest/gtest.h>

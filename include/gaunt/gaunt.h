@@ -124,7 +124,7 @@ GAUNT_API gaunt_status gaunt_target_select(const char* name);
  *   tiled (AoSoA)       tile_items 16, item 4, plane 64, tile 64 * planes: the fastest
  *   broadcast (inputs)  item 0, tile 0: the same item for every i
  *
- * Inputs are never written. Strides are ignored where only one item or one plane exists.
+ * The last tile counts as a whole one where views are checked for overlap. Inputs are never written. Strides are ignored where only one item or one plane exists.
  */
 typedef struct gaunt_view {
   float* data;
@@ -342,7 +342,7 @@ typedef struct gaunt_image {
   const void* pixels;     /**< first texel of the first row, aligned to a channel of a texel */
   uint32_t width;         /**< texels, 1 .. 65536 */
   uint32_t height;        /**< rows, 1 .. 65536 */
-  ptrdiff_t pixel_stride; /**< bytes; at least the size of a texel, or negative */
+  ptrdiff_t pixel_stride; /**< bytes; at least the size of a texel, in either direction */
   ptrdiff_t row_stride;   /**< bytes; may be negative. Both are multiples of a channel's size */
   uint32_t type;          /**< GAUNT_TEXEL_* */
 } gaunt_image;
@@ -385,7 +385,7 @@ enum { GAUNT_CUBE_D3D = 0, GAUNT_CUBE_GL = 1, GAUNT_CUBE_UNITY = 2 };
 typedef struct gaunt_project_options {
   uint32_t struct_size; /**< sizeof(gaunt_project_options); 8, without `cube`, is valid too */
   uint32_t flags;       /**< any of GAUNT_PROJECT_* */
-  uint32_t cube;        /**< GAUNT_CUBE_*; read for cubemaps */
+  uint32_t cube;        /**< GAUNT_CUBE_*; without effect on panoramas, but checked there too */
 } gaunt_project_options;
 
 /**
@@ -403,8 +403,8 @@ typedef struct gaunt_project_options {
  * options   NULL for defaults
  * out       channels * n^2 planes of 1 item, in the quantity of the texels (radiance)
  *
- * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi, at any order: a few
- *            texels are summed in float, and those sums in double.
+ * Accuracy:  |error| <= 2e-6 of the mean magnitude of the texels times 4 pi, at any order, for
+ *            magnitudes from 1e-30 to 1e36: a few texels are summed in float, those sums in double.
  * Overlap:   none is checked; the image must not be the output.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _FORMAT, _STRUCT.
  */
@@ -425,7 +425,7 @@ GAUNT_API gaunt_status gaunt_project_equirect(uint32_t n, uint32_t channels,
  * the basis at each texel, n^2.
  *
  * Accuracy:  |error| <= e of the mean magnitude of the texels times 4 pi, with e = 2e-6 up to order
- *            10 and e = 2e-6 + 2e-8 (l+1)^2.5 in band l above.
+ *            6, 4e-6 up to order 10, and 2e-6 + 2e-8 (l+1)^2.5 in band l above.
  * Returns as gaunt_project_equirect(); GAUNT_ERROR_RANGE for faces that are not square or equal.
  */
 GAUNT_API gaunt_status gaunt_project_cubemap(uint32_t n, uint32_t channels,
@@ -443,8 +443,9 @@ GAUNT_API gaunt_status gaunt_project_cubemap(uint32_t n, uint32_t channels,
  * height     rows of the whole panorama, 1 .. 65536
  * sums       channels * n^2 doubles, sums[channel * n^2 + i]: zeros at first
  *
- * Accuracy:  in any split, sums agree to 1e-12 of the mean magnitude of the texels times 4 pi; those
- *            of cubemaps above order 10 to 2e-6.
+ * Accuracy:  in any split of rows with the same strides and type, sums agree to 1e-12 of the mean
+ *            magnitude of the texels times 4 pi; in others, in cubemaps whose faces differ in strides
+ *            or type, and in cubemaps above order 10, to 2e-6.
  * Overlap:   none is checked; the rows must not be the sums.
  * Returns as gaunt_project_equirect(); GAUNT_ERROR_RANGE for rows that the panorama does not have.
  */
@@ -719,9 +720,13 @@ enum {
   GAUNT_COEFFICIENTS_FUMA = 2 /**< m = 0, 1, -1, 2, -2 ..; but x, y, z in band 1. Order <= 4 */
 };
 enum {
-  GAUNT_SCALE_ORTHONORMAL = 0, /**< the integral of y_i^2 over the sphere is 1 */
-  GAUNT_SCALE_N3D = 1,         /**< it is 4 pi: coefficients sqrt(4 pi) times orthonormal ones */
-  GAUNT_SCALE_SN3D = 2, /**< it is 4 pi / (2l+1), Schmidt: coefficients sqrt(4 pi / (2l+1)) */
+  GAUNT_SCALE_ORTHONORMAL = 0, /**< the integral N_i of y_i^2 over the sphere is 1 */
+  /**
+   * Those of ambisonics: coefficients are projections, the integrals of the value times y_i, where
+   * N_i is not 1; so value = sum of c_i y_i / N_i.
+   */
+  GAUNT_SCALE_N3D = 1,  /**< N_i = 4 pi: coefficients are sqrt(4 pi) times orthonormal ones */
+  GAUNT_SCALE_SN3D = 2, /**< N_i = 4 pi / (2l+1), Schmidt: sqrt(4 pi / (2l+1)) times */
   GAUNT_SCALE_FUMA = 3, /**< SN3D times Malham's weights, W by 1/sqrt(2). Order <= 4 */
   /**
    * The constants of the basis are in the coefficients: with the positive sign,
@@ -751,11 +756,11 @@ typedef struct gaunt_convention {
   uint32_t struct_size;  /**< sizeof(gaunt_convention) */
   uint32_t sign;         /**< GAUNT_SIGN_* */
   uint32_t coefficients; /**< GAUNT_COEFFICIENTS_*: their order in a band */
-  uint32_t scale;    /**< GAUNT_SCALE_*: of the functions that coefficients are projections on */
+  uint32_t scale;    /**< GAUNT_SCALE_* */
   uint32_t quantity; /**< GAUNT_QUANTITY_* */
   uint32_t axes[3];  /**< GAUNT_AXIS_*: where x, y and z point, three lines. This says which hand
                               they form, and a change of hand mirrors coefficients, not the scene. */
-  float offset;      /**< value = offset + the sum of coefficients times functions; finite */
+  float offset;      /**< what is added to the sum that gives the value; finite */
 } gaunt_convention;
 
 /**
@@ -782,14 +787,15 @@ typedef struct gaunt_convention {
  *   UNITY            SphericalHarmonicsL2, [channel, coefficient]
  *   GODOT            probes of LightmapGIData (not its lightmaps)
  *   THREEJS          SphericalHarmonics3 of a LightProbe, whose getIrradianceAt() is E, not E/pi
- *   FILAMENT         IndirectLight::Builder::irradiance() and cmgen --sh-shader; seen from outside
- *                    if the cubemap was mirrored
+ *   FILAMENT         IndirectLight::Builder::irradiance() and cmgen --sh-shader of a cubemap that
+ *                    was mirrored, cmgen's default, which is how it looks from inside. cmgen lays the
+ *                    centre of a panorama at +z: for its files, axes are LEFT, UP, FORWARD.
  *   GAUSSIAN_SPLATS  .ply of 3D Gaussian splatting: f_dc_c, then f_rest_[c (n^2 - 1) ..]; a colour
  *                    along the line of sight. A capture may lie any way; these are the axes that
  *                    tools suppose.
  *   AMBIX, FUMA      ambisonics
  * Where coefficients are stored as RGB triples, convert one channel per call, with a plane_stride
- * of 12.
+ * of 12; of 16 for Godot, which stores RGBA.
  */
 enum {
   GAUNT_ENGINE_GAUNT = 0,

@@ -38,15 +38,6 @@ class Legendre {
     }
   }
 
-  // Coefficients of the columns, in the order in which they are visited.
-  size_t Count() const {
-    size_t count = 0;
-    for (int m = first_; m < last_; ++m) {
-      count += static_cast<size_t>((m == 0 ? 1 : 2) * (order_ - m));
-    }
-    return count;
-  }
-
   // Calls visit(l, m, p) column by column, where y_l^+-m = p cos(m phi), p sin(m phi) at polar
   // angle theta, cos(theta) = z, sin(theta) = s.
   template <class Visit>

@@ -23,8 +23,10 @@ struct NoOut {
   void operator()(size_t, size_t, Counted) const {}
 };
 
+// Rounded to nearest.
 Operations DividedBy(const Operations& o, uint64_t n) {
-  return {o.mul / n, o.fma / n, o.add / n, o.div / n, o.load / n, o.store / n};
+  const auto share = [n](uint64_t x) { return (x + n / 2) / n; };
+  return {share(o.mul), share(o.fma), share(o.add), share(o.div), share(o.load), share(o.store)};
 }
 
 // One pass of the sum per moment; what a run adds at its end is not counted.
@@ -37,8 +39,8 @@ Operations MomentsPerTexel(uint64_t moments) {
 }
 
 // Weights and tables are made for two rows of six faces; they have as many lanes as the texels.
-Operations TablesPerTexel(int order, uint64_t channels) {
-  constexpr uint64_t kTexels = 12;
+constexpr uint64_t kCubeTexels = 12;
+Operations CubeTables(int order, uint64_t channels) {
   const CubeDegrees degrees(order);
   const HWY_NAMESPACE::CubeWeights weights = {0.5, 0.1, degrees.even, degrees.odd};
   Operations all = CountKernel(weights, CountPlanes(), NoOut());
@@ -48,7 +50,7 @@ Operations TablesPerTexel(int order, uint64_t channels) {
     HWY_NAMESPACE::Powers{degree}(CountLanes(), Counted(), Counted(), CountPlanes());
     all = all + channels * CountedOperations();
   }
-  return DividedBy(all, kTexels);
+  return all;
 }
 
 template <class Basis, int kChannels>
@@ -81,8 +83,9 @@ void AppendOperations(OperationRows& rows) {
   for (const int n : kOrders) {
     if (n > kMaxCubeMomentOrder) break;  // by samples
     append("project_cubemap", n, [](int order, uint64_t channels) {
-      return channels * MomentsPerTexel(CubeDegrees(order).Moments()) +
-             TablesPerTexel(order, channels);
+      const uint64_t passes = kCubeTexels * channels;
+      const Operations moments = passes * MomentsPerTexel(CubeDegrees(order).Moments());
+      return DividedBy(moments + CubeTables(order, channels), kCubeTexels);
     });
   }
   AppendUnrolledSamples<1>(rows);

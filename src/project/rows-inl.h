@@ -78,8 +78,7 @@ class RowReader {
     const size_t component = half_ ? sizeof(uint16_t) : sizeof(float);
     const size_t stride = static_cast<size_t>(pixel_stride_);
     // Texels back to back are taken with the channels that are not wanted.
-    packed_ = pixel_stride_ > 0 && width_ > 1 && stride % component == 0 &&
-              stride / component <= kMaxChannels;
+    packed_ = pixel_stride_ > 0 && width_ > 1 && stride / component <= kMaxChannels;
     stream_ = packed_ ? stride / component : channels;
     const size_t lanes = hn::Lanes(LaneTag());
     pattern_ = stream_ == 3 && !kOneLane ? 4 : stream_;

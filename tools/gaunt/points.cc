@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include "command.h"
+#include "output_file.h"
 #include "points/design.h"
 #include "points/repulsion.h"
 #include "progress.h"
@@ -150,28 +151,12 @@ std::string Header(const PointsOptions& options, const std::vector<Result>& resu
   return text + fmt::format("#endif  // {}\n", guard);
 }
 
-std::string PartOf(const std::string& path) { return path + ".part"; }
-
-// Fails before any work if the file cannot be written.
-void CheckOut(const std::string& path) {
-  std::error_code ignored;
-  const bool open = std::ofstream(PartOf(path)).is_open();
-  std::filesystem::remove(PartOf(path), ignored);
-  if (!open || std::filesystem::is_directory(path)) throw BadInput("cannot write " + path);
-}
-
-// By way of a temporary file, so that nothing half-written stays.
-void Write(const std::string& text, const std::string& path) {
-  std::error_code error;
-  std::ofstream file(PartOf(path), std::ios::binary);
+void Write(const std::string& text, OutputFile& out) {
+  std::ofstream file(out.path(), std::ios::binary);
   file << text;
   file.close();
-  if (file) std::filesystem::rename(PartOf(path), path, error);
-  if (!file || error) {
-    std::error_code ignored;
-    std::filesystem::remove(PartOf(path), ignored);
-    throw std::runtime_error("cannot write " + path);
-  }
+  if (!file) throw std::runtime_error("cannot write " + out.path());
+  out.Commit();
 }
 
 void CheckOptions(const PointsOptions& options) {
@@ -188,9 +173,8 @@ void CheckOptions(const PointsOptions& options) {
   }
   const std::regex name("[A-Za-z][A-Za-z0-9_]*(::[A-Za-z][A-Za-z0-9_]*)*");
   if (!options.header.empty() && !std::regex_match(options.header, name)) {
-    throw BadInput("--header: " + options.header + " is not a C++ name");
+    throw BadInput("--header: " + options.header + " is not a name of letters, digits, _ and ::");
   }
-  if (!options.out.empty()) CheckOut(options.out);
 }
 
 std::vector<Result> MakeSets(const PointsOptions& options) {
@@ -215,16 +199,19 @@ std::vector<Result> MakeSets(const PointsOptions& options) {
 
 void RunPoints(const PointsOptions& options) {
   CheckOptions(options);
+  // Before any work: it fails if the file cannot be written.
+  std::optional<OutputFile> out;
+  if (!options.out.empty()) out.emplace(options.out);
   const std::vector<Result> results = MakeSets(options);
   const std::string text = options.csv               ? Csv(results)
                            : options.json            ? Json(results)
                            : !options.header.empty() ? Header(options, results)
                                                      : Text(results);
-  if (options.out.empty()) {
+  if (!out) {
     fmt::print("{}", text);
     return;
   }
-  Write(text, options.out);
+  Write(text, *out);
   for (const Result& result : results) fmt::print("{}\n", Summary(result));
 }
 

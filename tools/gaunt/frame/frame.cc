@@ -155,9 +155,7 @@ void WritePictures(const FrameOptions& options, const Scene& scene, const Enviro
                          const char* name) {
     const Picture picture =
         Render(scene, environment, indirect, left, right, kPictureWidth, kPictureHeight);
-    const std::string error =
-        WritePng(picture, (std::filesystem::path(options.out) / name).string());
-    if (!error.empty()) throw BadInput(error);
+    WritePng(picture, (std::filesystem::path(options.out) / name).string());
   };
   write(ObjectSpheres(scene, objects, result.constants, result.lights),
         ObjectSpheres(scene, objects, result.reference_constants, result.reference_lights),

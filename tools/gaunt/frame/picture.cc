@@ -3,10 +3,11 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include <filesystem>
 #include <limits>
 
+#include "command.h"
 #include "frame/parallel.h"
+#include "output_file.h"
 
 namespace gaunt::tool {
 namespace {
@@ -168,23 +169,16 @@ Picture Render(const Scene& scene, const Environment& environment, const Indirec
   return picture;
 }
 
-std::string WritePng(const Picture& picture, const std::string& path) {
-  const std::string part = path + ".part.png";
-  const auto fail = [&](const std::string& why) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    return "cannot write " + path + ": " + why;
-  };
-  const auto output = OIIO::ImageOutput::create(part);
-  if (!output) return fail(OIIO::geterror());
+void WritePng(const Picture& picture, const std::string& path) {
+  OutputFile file(path);
+  const auto output = OIIO::ImageOutput::create(file.path());
+  if (!output) throw BadInput("cannot write " + path + ": " + OIIO::geterror());
   const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
-  if (!output->open(part, spec) ||
+  if (!output->open(file.path(), spec) ||
       !output->write_image(OIIO::TypeDesc::UINT8, picture.rgb.data()) || !output->close()) {
-    return fail(output->geterror());
+    throw BadInput("cannot write " + path + ": " + output->geterror());
   }
-  std::error_code error;
-  std::filesystem::rename(part, path, error);
-  return error ? fail(error.message()) : std::string();
+  file.Commit();
 }
 
 }  // namespace gaunt::tool

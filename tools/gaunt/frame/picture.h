@@ -29,8 +29,8 @@ Picture Render(const Scene& scene, const Environment& environment, const Indirec
                const std::vector<LitSphere>& left, const std::vector<LitSphere>& right, int width,
                int height);
 
-// Writes a PNG by way of a temporary file, so that nothing half-written stays. Empty, or why not.
-std::string WritePng(const Picture& picture, const std::string& path);
+// Writes a PNG, whole or not at all. Throws BadInput.
+void WritePng(const Picture& picture, const std::string& path);
 
 }  // namespace gaunt::tool
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "output_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "command.h"
+
+namespace gaunt::tool {
+
+namespace fs = std::filesystem;
+
+OutputFile::OutputFile(const std::string& path) {
+  const auto fail = [&](const std::string& why) -> void {
+    throw BadInput("cannot write " + path + ": " + why);
+  };
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(path, error);
+  if (error) fail(error.message());
+  target_ = target.string();
+  if (fs::is_directory(target, error)) fail("it is a folder");
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
+    in_place_ = true;
+    written_ = target_;
+    return;
+  }
+  // A name that nobody has.
+  for (int k = 0;; ++k) {
+    const std::string name = "." + target.stem().string() + "-" + std::to_string(getpid()) + "-" +
+                             std::to_string(k) + target.extension().string();
+    written_ = (target.parent_path() / name).string();
+    const int file = open(written_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (file >= 0) {
+      close(file);
+      return;
+    }
+    if (errno != EEXIST) fail(std::strerror(errno));
+  }
+}
+
+OutputFile::~OutputFile() {
+  std::error_code ignored;
+  if (!in_place_ && !committed_) fs::remove(written_, ignored);
+}
+
+void OutputFile::Commit() {
+  std::error_code error;
+  if (!in_place_) fs::rename(written_, target_, error);
+  if (error) throw std::runtime_error("cannot write " + target_ + ": " + error.message());
+  committed_ = true;
+}
+
+}  // namespace gaunt::tool

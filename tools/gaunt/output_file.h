@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// A file that is written whole or not at all.
+#ifndef GAUNT_TOOLS_GAUNT_OUTPUT_FILE_H_
+#define GAUNT_TOOLS_GAUNT_OUTPUT_FILE_H_
+
+#include <string>
+
+namespace gaunt::tool {
+
+// A new file beside the target, which takes its place when it is complete. Links are followed; what
+// is no regular file, such as a device or a pipe, is written itself.
+class OutputFile {
+ public:
+  // Throws BadInput if the file cannot be written.
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();  // without Commit() nothing has changed
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  // Where to write; it has the target's ending.
+  const std::string& path() const { return written_; }
+  // Throws std::runtime_error.
+  void Commit();
+
+ private:
+  std::string target_;
+  std::string written_;
+  bool in_place_ = false;
+  bool committed_ = false;
+};
+
+}  // namespace gaunt::tool
+
+#endif  // GAUNT_TOOLS_GAUNT_OUTPUT_FILE_H_
