@@ -45,6 +45,7 @@ gaunt_status gaunt_view_planar(float* data, ptrdiff_t plane_stride, gaunt_view* 
 
 gaunt_status gaunt_view_interleaved(float* data, size_t planes, gaunt_view* view) {
   GAUNT_REQUIRE(view != nullptr, GAUNT_ERROR_NULL);
+  GAUNT_REQUIRE(planes <= PTRDIFF_MAX / sizeof(float), GAUNT_ERROR_RANGE);
   *view = {data, static_cast<ptrdiff_t>(planes * sizeof(float)), sizeof(float), 0, 0};
   return GAUNT_OK;
 }
@@ -52,6 +53,7 @@ gaunt_status gaunt_view_interleaved(float* data, size_t planes, gaunt_view* view
 gaunt_status gaunt_view_tiled(float* data, size_t planes, gaunt_view* view) {
   GAUNT_REQUIRE(view != nullptr, GAUNT_ERROR_NULL);
   constexpr ptrdiff_t kPlane = GAUNT_TILE_ITEMS * sizeof(float);
+  GAUNT_REQUIRE(planes <= static_cast<size_t>(PTRDIFF_MAX / kPlane), GAUNT_ERROR_RANGE);
   *view = {data, sizeof(float), kPlane, kPlane * static_cast<ptrdiff_t>(planes), GAUNT_TILE_ITEMS};
   return GAUNT_OK;
 }

@@ -32,17 +32,8 @@ bool SpanOf(size_t n, ptrdiff_t stride, ptrdiff_t* span) {
 }  // namespace
 
 void MemoryCheck::Fail(gaunt_status status) {
-  // Statuses are numbered in the order in which they are reported, but OVERLAP comes last anyway.
-  const auto rank = [](gaunt_status s) {
-    switch (s) {
-      case GAUNT_ERROR_NULL: return 0;
-      case GAUNT_ERROR_LAYOUT: return 1;
-      case GAUNT_ERROR_RANGE: return 2;
-      case GAUNT_ERROR_OVERLAP: return 3;
-      default: return 4;
-    }
-  };
-  if (rank(status) < rank(status_)) status_ = status;
+  // They are numbered in the order in which they are looked for.
+  if (status_ == GAUNT_OK || status > status_) status_ = status;
 }
 
 gaunt_status MemoryCheck::status() const { return status_; }
@@ -83,7 +74,7 @@ void MemoryCheck::AddView(const gaunt_view* view, size_t count, size_t planes, K
   m.plane_count = planes;
   m.tile_items = view->tile_items == 0 ? count : std::min(view->tile_items, count);
   m.items_in_tile = m.tile_items;
-  m.tiles = m.tile_items == count ? 1 : (count + m.tile_items - 1) / m.tile_items;
+  m.tiles = (count - 1) / m.tile_items + 1;
   m.item_stride = m.items_in_tile > 1 ? view->item_stride : 0;
   m.tile_stride = m.tiles > 1 ? view->tile_stride : 0;
   m.plane_stride = planes > 1 ? view->plane_stride : 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Version, statuses, targets and the helpers of views.
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <cstdlib>
 #include <set>
@@ -103,6 +104,78 @@ TEST(Base, FieldsOfOneRecordDoNotOverlap) {
   basis.data += 2;  // the next tile's directions are in the way
   EXPECT_EQ(gaunt_basis_eval(3, kCount, &directions, &basis), GAUNT_ERROR_OVERLAP);
 }
+
+TEST(Views, RejectMorePlanesThanThereIsMemory) {
+  gaunt_view view = {nullptr, 1, 2, 3, 4};
+  EXPECT_EQ(gaunt_view_tiled(nullptr, SIZE_MAX / 64, &view), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_view_interleaved(nullptr, SIZE_MAX / 4, &view), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(view.item_stride, 1);
+  EXPECT_EQ(gaunt_plane_stride(SIZE_MAX / 4), 0u);
+}
+
+#ifndef __SANITIZE_ADDRESS__
+
+// Calls of the highest order, on a thread whose stack is what the manual promises.
+void* CallOnSmallStack(void*) {
+  constexpr uint32_t n = GAUNT_MAX_ORDER, kChannels = 4;
+  constexpr size_t kPlanes = size_t{kChannels} * n * n, kCount = 5;
+  static float d[kCount * 3], f[kCount * kPlanes], out[3][kCount * kPlanes];
+  static double sums[kPlanes];
+  for (size_t i = 0; i < kCount; ++i) d[3 * i + 2] = 1.0f;
+  const auto view = [](float* data, size_t planes) {
+    gaunt_view v;
+    gaunt_view_interleaved(data, planes, &v);
+    return v;
+  };
+  const gaunt_view vd = view(d, 3), vf = view(f, kPlanes), few = view(out[0], kChannels);
+  const gaunt_view y[3] = {view(out[0], n * n), view(out[1], n * n), view(out[2], n * n)};
+  const gaunt_view weights = view(f, 1), all = view(out[0], kPlanes);
+  EXPECT_EQ(gaunt_basis_eval(n, kCount, &vd, &y[0]), GAUNT_OK);
+  for (const uint32_t order : {4u, 5u, 6u, n}) {
+    const gaunt_view g[3] = {view(out[0], order * order), view(out[1], order * order),
+                             view(out[2], order * order)};
+    EXPECT_EQ(gaunt_basis_gradient(order, kCount, &vd, &g[0], &g[1], &g[2]), GAUNT_OK);
+  }
+  EXPECT_EQ(gaunt_sh_evaluate(n, kChannels, kCount, &vf, &vd, &few), GAUNT_OK);
+  EXPECT_EQ(gaunt_sh_dot(n, kChannels, kCount, &vf, &vf, &few), GAUNT_OK);
+  EXPECT_EQ(gaunt_sh_blend(n, kChannels, kCount, &vf, &vf, &weights, &all), GAUNT_OK);
+  EXPECT_EQ(gaunt_project_samples_add(n, kChannels, kCount, &vd, &few, &weights, sums), GAUNT_OK);
+  const gaunt_view values = view(out[1], kChannels);
+  EXPECT_EQ(gaunt_project_samples(n, kChannels, kCount, &vd, &values, &weights, &all), GAUNT_OK);
+  const gaunt_image image = {f, 32, 32, 16, 512, GAUNT_TEXEL_F32};
+  const gaunt_image* const faces[6] = {&image, &image, &image, &image, &image, &image};
+  for (const uint32_t order : {3u, 10u, n}) {
+    const gaunt_view projected = view(out[0], kChannels * order * order);
+    EXPECT_EQ(gaunt_project_equirect(order, kChannels, &image, nullptr, &projected), GAUNT_OK);
+    EXPECT_EQ(gaunt_project_cubemap(order, kChannels, faces, nullptr, &projected), GAUNT_OK);
+  }
+  gaunt_convention from = {sizeof(from), 0, 0, 0, 0, {}, 0}, to = from;
+  EXPECT_EQ(gaunt_convention_preset(GAUNT_ENGINE_GAUNT, &from), GAUNT_OK);
+  EXPECT_EQ(gaunt_convention_preset(GAUNT_ENGINE_THREEJS, &to), GAUNT_OK);
+  EXPECT_EQ(gaunt_convert(16, kChannels, kCount, &from, &to, &vf, &all), GAUNT_OK);
+  to.axes[0] = GAUNT_AXIS_FORWARD, to.axes[1] = GAUNT_AXIS_LEFT, to.axes[2] = GAUNT_AXIS_UP;
+  EXPECT_EQ(gaunt_convert(n, kChannels, kCount, &from, &to, &vf, &all), GAUNT_OK);
+  return nullptr;
+}
+
+TEST(Stack, IsWhatTheManualPromises) {
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  // What the test and the C library need comes on top.
+  constexpr size_t kOwn = 24 << 10;
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, (64 << 10) + kOwn), 0);
+  for (const std::string& target : SupportedTargets()) {
+    SCOPED_TRACE(target);
+    ASSERT_EQ(gaunt_target_select(target.c_str()), GAUNT_OK);
+    pthread_t thread;
+    ASSERT_EQ(pthread_create(&thread, &attributes, &CallOnSmallStack, nullptr), 0);
+    pthread_join(thread, nullptr);
+  }
+  gaunt_target_select(nullptr);
+  pthread_attr_destroy(&attributes);
+}
+
+#endif  // __SANITIZE_ADDRESS__
 
 }  // namespace
 }  // namespace gaunt::test

@@ -19,12 +19,13 @@
 namespace gaunt::test {
 namespace {
 
-// As gaunt.h states them, for band l of order n.
+// As gaunt.h states them, for band l of order n on the target in use.
 double EvalTolerance(int n, int l) {
   if (n <= 3) return 4e-7;
-  return n <= 6 ? 1.2e-6 : std::max(4e-7, 2e-8 * std::pow(l + 1, 2.5));
+  if (n <= 6) return HasFma(gaunt_target_name()) ? 1.2e-6 : 1.3e-6;
+  return 2e-8 * std::pow(l + 1, 2.5);
 }
-double GradientTolerance(int l) { return std::max(4e-7, 3e-8 * std::pow(l + 1, 3.5)); }
+double GradientTolerance(int l) { return 3e-8 * std::pow(l + 1, 3.5); }
 
 Operation EvalOperation(uint32_t n) {
   Operation operation;
@@ -80,7 +81,7 @@ Operation NormalizeOperation() {
     for (size_t k = 0; k < 3; ++k) out[0][k] = in[0][k] / length;
   };
   operation.tolerance = [](const Operation::Item&, const Operation::Item&, size_t, size_t) {
-    return 1.8e-7;
+    return 1.2e-7;
   };
   operation.in_place = {0};
   return operation;
@@ -131,11 +132,15 @@ TEST_P(Basis, RejectsWrongArguments) {
   EXPECT_EQ(out[0], 5.0f);
 }
 
-// Random directions, axes, and directions at 1e-7 .. 0.1 from the poles and from the equator.
+// Random directions, axes, and directions at 1e-45 .. 0.1 from the poles and from the equator.
 std::vector<std::array<float, 3>> HardDirections() {
   std::vector<std::array<float, 3>> directions;
   Random random(3);
   for (int i = 0; i < 200; ++i) random.Direction(directions.emplace_back().data());
+  for (const float denormal : {1e-45f, -1e-40f}) {
+    directions.push_back({denormal, -denormal, 1.0f});
+    directions.push_back({1.0f, denormal, denormal});
+  }
   for (const float sign : {-1.0f, 1.0f}) {
     directions.push_back({sign, 0.0f, 0.0f});
     directions.push_back({0.0f, sign, 0.0f});
@@ -195,14 +200,14 @@ TEST_P(Basis, NonUnitDirectionsCostWhatTheManualSays) {
   const struct {
     uint32_t order;
     double factor;
-  } rows[] = {{3, 2.0}, {6, 14.0}, {16, 184.0}};
+  } rows[] = {{3, 2.0}, {6, 14.1}, {16, 188.5}};
   Random random(11);
   for (const auto& row : rows) {
     for (const double e : {1e-6, 1e-4, 1e-3, -1e-3}) {
       double worst = 0.0;
       for (int trial = 0; trial < 100; ++trial) {
-        float d[3];
-        random.Direction(d);
+        float d[3] = {0.0f, 0.0f, 1.0f};  // the pole is the worst
+        if (trial > 0) random.Direction(d);
         for (float& component : d) component *= static_cast<float>(1.0 + e);
         const double exact[3] = {d[0], d[1], d[2]};
         std::vector<double> wanted(row.order * row.order);
@@ -214,9 +219,59 @@ TEST_P(Basis, NonUnitDirectionsCostWhatTheManualSays) {
       }
       const double floor =
           EvalTolerance(static_cast<int>(row.order), static_cast<int>(row.order) - 1);
-      EXPECT_LE(worst, 1.05 * row.factor * std::abs(e) + floor) << row.order << " " << e;
+      // The factor is that of the first order in e.
+      const double second_order = 1.0 + 60.0 * row.order * std::abs(e);
+      EXPECT_LE(worst, second_order * row.factor * std::abs(e) + floor) << row.order << " " << e;
       if (std::abs(e) > 1e-5) {
-        EXPECT_GE(worst, 0.3 * row.factor * std::abs(e)) << row.order << " " << e;
+        EXPECT_GE(worst, 0.7 * row.factor * std::abs(e)) << row.order << " " << e;
+      }
+    }
+  }
+}
+
+// Near the poles, where errors are largest, and with lengths that only normalisation gives.
+TEST_P(Basis, NormalizedDirectionsAreGoodEnough) {
+  constexpr size_t kCount = 20000;
+  Random random(21);
+  Buffer in(Layout::kTiled, kCount, 3), d(Layout::kTiled, kCount, 3), y(Layout::kTiled, kCount, 36);
+  for (size_t i = 0; i < kCount; ++i) {
+    float v[3];
+    random.Direction(v);
+    const float tilt = i % 2 == 0 ? 1.0f : std::ldexp(1.0f, -static_cast<int>(i % 19));
+    in.Set(i, 0, 7.3f * v[0] * tilt);
+    in.Set(i, 1, 7.3f * v[1] * tilt);
+    in.Set(i, 2, 7.3f * v[2]);
+  }
+  ASSERT_EQ(gaunt_directions_normalize(kCount, in.view(), d.view()), GAUNT_OK);
+  ASSERT_EQ(gaunt_basis_eval(6, kCount, d.view(), y.view()), GAUNT_OK);
+  for (size_t i = 0; i < kCount; ++i) {
+    const double direction[3] = {d.Get(i, 0), d.Get(i, 1), d.Get(i, 2)};
+    ASSERT_NEAR(std::hypot(direction[0], direction[1], direction[2]), 1.0, 9e-8);
+    double wanted[36];
+    basis::EvalReference(6, direction, wanted);
+    for (size_t p = 0; p < 36; ++p) ASSERT_NEAR(y.Get(i, p), wanted[p], EvalTolerance(6, 5));
+  }
+}
+
+// High orders in every layout: bands of up to 127 planes.
+TEST_P(Basis, HighOrdersAreTheSameInEveryLayout) {
+  constexpr size_t kCount = 21;
+  for (const uint32_t n : {33u, 64u}) {
+    for (const Layout layout : Layouts()) {
+      SCOPED_TRACE(Name(layout) + " " + std::to_string(n));
+      Buffer in(layout, kCount, 3), out(layout, kCount, n * n);
+      Random random(n);
+      for (size_t i = 0; i < kCount; ++i) {
+        float d[3];
+        random.Direction(d);
+        for (size_t k = 0; k < 3; ++k) in.Set(i, k, d[k]);
+      }
+      ASSERT_EQ(gaunt_basis_eval(n, kCount, in.view(), out.view()), GAUNT_OK);
+      ASSERT_TRUE(out.CanariesIntact());
+      for (size_t i = 0; i < kCount; ++i) {
+        const float d[3] = {in.Get(i, 0), in.Get(i, 1), in.Get(i, 2)};
+        const std::vector<float> wanted = EvalOne(n, d);
+        for (size_t p = 0; p < wanted.size(); ++p) ASSERT_EQ(out.Get(i, p), wanted[p]);
       }
     }
   }
@@ -253,6 +308,28 @@ TEST_P(Basis, NormalizeTakesAnyFloat) {
     ASSERT_EQ(gaunt_directions_normalize(1, &in_view, &out_view), GAUNT_OK);
     for (int k = 0; k < 3; ++k) {
       EXPECT_NEAR(out[k], row.out[k], 1e-6) << in[0] << " " << in[1] << " " << in[2];
+    }
+  }
+}
+
+// The same in place, where outputs are inputs.
+TEST_P(Basis, LargeOutputsInPlaceAreTheSame) {
+  const size_t count = (size_t{33} << 20) / 12 + 21;
+  for (const Layout layout : {Layout::kTiled, Layout::kInterleaved, Layout::kPlanar}) {
+    SCOPED_TRACE(Name(layout));
+    Buffer v(layout, count, 3, Start::kLine);
+    for (size_t i = 0; i < count; ++i) {
+      for (size_t k = 0; k < 3; ++k) v.Set(i, k, static_cast<float>((i * 7 + k * 5) % 11) - 4.5f);
+    }
+    ASSERT_EQ(gaunt_directions_normalize(count, v.view(), v.view()), GAUNT_OK);
+    ASSERT_TRUE(v.CanariesIntact());
+    for (size_t i = 0; i < count; i += i + 50 < count ? 9973 : 1) {
+      float one[3];
+      for (size_t k = 0; k < 3; ++k) one[k] = static_cast<float>((i * 7 + k * 5) % 11) - 4.5f;
+      gaunt_view view;
+      gaunt_view_interleaved(one, 3, &view);
+      ASSERT_EQ(gaunt_directions_normalize(1, &view, &view), GAUNT_OK);
+      for (size_t k = 0; k < 3; ++k) ASSERT_EQ(v.Get(i, k), one[k]) << i;
     }
   }
 }

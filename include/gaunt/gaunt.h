@@ -17,11 +17,13 @@
  *   item          probe, direction, light or object; `count` of them go in one call
  *   plane         one float per item. Coefficients of channels are planes channel * n^2 + i.
  *   gaunt_view    where the planes of a batch lie in memory: planar, interleaved, tiled, broadcast,
- *                 or any strides. All layouts give the same bits. Tiles of 16 are the fastest.
+ *                 or any strides. All layouts give the same bits, and so does a broadcast unless the
+ *                 entry says otherwise. Tiles of 16 are the fastest. Outputs from 32 MiB up go past
+ *                 the caches on x86 where planes, or packed rows, begin on lines of 64 bytes.
  *
  * ALL FUNCTIONS
  *   return GAUNT_OK or a negative status, and write nothing when they fail. They allocate nothing,
- *   keep no state but the chosen SIMD target, and may be called from any thread. Arguments are
+ *   take less than 64 KiB of stack, keep no state but the chosen SIMD target, and may be called from any thread. Arguments are
  *   checked in constant time: null pointers, orders, layouts, ranges, overlap. With count 0 the
  *   views may be NULL. A NaN or an infinity makes the outputs of its own item unspecified, never a
  *   neighbour's, unless the entry says what it does with them. Nothing outside the described
@@ -29,13 +31,17 @@
  *
  * OVERLAP
  *   An output may be the same view as an input only where the entry says "in place". Otherwise
- *   views whose bytes may meet are refused, except fields of one record: views of equal item and
- *   tile strides whose planes are disjoint inside one item (or inside one tile).
+ *   views are refused whose ranges, from the first to the last byte, meet; except fields of one
+ *   record: views of equal item and tile strides whose planes are disjoint inside one item (or
+ *   inside one tile). Elements of an output must not overlap each other; what is checked is that
+ *   its strides nest: each one steps over all that the smaller ones span.
  *
  * ACCURACY
  *   Stated figures are tested on every SIMD target against definitions in double precision. Targets
  *   with fused multiply-add (AVX2, AVX3, NEON, SVE) give equal bits for finite data, and so do the
- *   others among themselves; image projection is exempt.
+ *   others among themselves; image projection is exempt. Figures hold for unit vectors that are
+ *   exact ones rounded to float, or come from gaunt_directions_normalize(); another length adds what
+ *   gaunt_basis_eval() says.
  */
 #ifndef GAUNT_GAUNT_H_
 #define GAUNT_GAUNT_H_
@@ -124,7 +130,8 @@ GAUNT_API gaunt_status gaunt_target_select(const char* name);
  *   tiled (AoSoA)       tile_items 16, item 4, plane 64, tile 64 * planes: the fastest
  *   broadcast (inputs)  item 0, tile 0: the same item for every i
  *
- * The last tile counts as a whole one where views are checked for overlap. Inputs are never written. Strides are ignored where only one item or one plane exists.
+ * Data is a whole number of tiles: the last one counts as whole where views are checked. Inputs are
+ * never written. Strides are ignored where only one item or one plane exists.
  */
 typedef struct gaunt_view {
   float* data;
@@ -139,19 +146,20 @@ typedef struct gaunt_view {
 
 /**
  * Bytes from plane to plane for planar data of `count` items: the least odd multiple of 64 that
- * holds them. Planes a power of two apart would all fall into the same few cache lines.
+ * holds them, or 0 if no array is that large. Planes a power of two apart would all fall into the
+ * same few cache lines.
  */
 GAUNT_API size_t gaunt_plane_stride(size_t count);
 
 /** Planes of contiguous items, plane_stride bytes apart. GAUNT_ERROR_NULL if view is NULL. */
 GAUNT_API gaunt_status gaunt_view_planar(float* data, ptrdiff_t plane_stride, gaunt_view* view);
 
-/** Items of `planes` contiguous floats, back to back. GAUNT_ERROR_NULL if view is NULL. */
+/** Items of `planes` contiguous floats, back to back. GAUNT_ERROR_NULL, _RANGE. */
 GAUNT_API gaunt_status gaunt_view_interleaved(float* data, size_t planes, gaunt_view* view);
 
 /**
  * Tiles of GAUNT_TILE_ITEMS items; the data holds a whole number of tiles, 64 * planes bytes each.
- * GAUNT_ERROR_NULL if view is NULL.
+ * GAUNT_ERROR_NULL, _RANGE.
  */
 GAUNT_API gaunt_status gaunt_view_tiled(float* data, size_t planes, gaunt_view* view);
 
@@ -166,12 +174,12 @@ GAUNT_API gaunt_status gaunt_view_broadcast(float* data, gaunt_view* view);
  * n           order, 1 .. GAUNT_MAX_ORDER
  * count       directions
  * directions  3 planes x, y, z; unit vectors. They are taken as given: a length of 1 + e adds an
- *             error of about 2 |e| at order 3, 14 |e| at order 6 and 184 |e| at order 16. See
- *             gaunt_directions_normalize().
+ *             error of up to sqrt((2n-1)/(4 pi)) n(n-1)/2 |e|: 2 |e| at order 3, 14 |e| at order 6,
+ *             188 |e| at order 16. See gaunt_directions_normalize().
  * out         n^2 planes
  *
  * Accuracy:  against the direction normalised in double, |error| <= 4e-7 up to order 3, 1.2e-6 up to
- *            order 6, and 2e-8 (l+1)^2.5 in band l above, for lengths of 1 within 1e-7.
+ *            order 6 (1.3e-6 without fused multiply-add), and 2e-8 (l+1)^2.5 in band l above.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
  */
@@ -188,7 +196,7 @@ GAUNT_API gaunt_status gaunt_basis_eval(uint32_t n, size_t count, const gaunt_vi
  * directions        3 planes, unit vectors, taken as given
  * d_dx, d_dy, d_dz  n^2 planes each
  *
- * Accuracy:  |error| <= 3e-8 (l+1)^3.5 in band l, for lengths of 1 within 1e-7.
+ * Accuracy:  |error| <= 3e-8 (l+1)^3.5 in band l.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
  */
@@ -205,7 +213,7 @@ GAUNT_API gaunt_status gaunt_basis_gradient(uint32_t n, size_t count, const gaun
  * in     3 planes
  * out    3 planes
  *
- * Accuracy:  |error| of a component <= 1.8e-7.
+ * Accuracy:  |error| <= 1.2e-7 of a component, and 9e-8 of the length.
  * Overlap:   in place.
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE, _OVERLAP.
  */
@@ -224,11 +232,12 @@ GAUNT_API gaunt_status gaunt_directions_normalize(size_t count, const gaunt_view
  * directions    3 planes, unit vectors
  * out           `channels` planes, in the quantity of the coefficients
  *
- * One function of order 3 in many directions is found as a polynomial, many functions in one
- * direction as products with one basis: both are faster than pairs, and round differently.
+ * One function of order 3 in many directions is found as a polynomial, and many functions up to
+ * order 6 in one direction as products with one basis: both are faster than pairs, and round
+ * differently.
  *
  * Accuracy:  |error| <= 2e-6 |f| up to order 6 and 1e-8 n^3 |f| above, with |f| the norm of the
- *            channel's coefficients, for directions of length 1 within 1e-7.
+ *            channel's coefficients.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -313,7 +322,8 @@ GAUNT_API gaunt_status gaunt_sh_dot(uint32_t n, uint32_t channels, size_t count,
                                     const gaunt_view* out);
 
 /**
- * Blends coefficients: out = (1 - t) a + t b, exactly a at t = 0 and exactly b at t = 1.
+ * Blends coefficients: out = (1 - t) a + t b, exactly a at t = 0 and exactly b at t = 1, for finite
+ * values and up to the sign of a zero.
  *
  * n         order, 1 .. GAUNT_MAX_ORDER
  * channels  1 .. GAUNT_MAX_CHANNELS

@@ -36,9 +36,11 @@ HWY_NOINLINE void EvalTileColumns(int order, const simd::InView& directions, siz
   const Lanes k;
   const LaneTag d;
   LoadTiles(directions, ShapeOf(directions, 3), first, kTileItems, 3, direction);
-  unsigned char* const to = out.Item(first);
+  const auto to = [&](size_t i) {
+    return PlanesOut{out.Item(first) + i * sizeof(float), out.plane_stride};
+  };
   for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
-    EvalZonal{order}(k, TileIn(direction + i), PlanesOut{to + i * sizeof(float), out.plane_stride});
+    EvalZonal{order}(k, TileIn(direction + i), to(i));
     hn::Store(hn::Load(d, direction + i), d, cosine + i);
     hn::Store(hn::Load(d, direction + kTileItems + i), d, sine + i);
   }
@@ -47,16 +49,14 @@ HWY_NOINLINE void EvalTileColumns(int order, const simd::InView& directions, siz
     for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
       const PlanesIn xyz = TileIn(direction + i);
       auto c = hn::Load(d, cosine + i), s = hn::Load(d, sine + i);
-      EvalColumnPair{order, m}(k, xyz(0), xyz(1), xyz(2), c, s,
-                               PlanesOut{to + i * sizeof(float), out.plane_stride});
+      EvalColumnPair{order, m}(k, xyz(0), xyz(1), xyz(2), c, s, to(i));
       hn::Store(c, d, cosine + i);
       hn::Store(s, d, sine + i);
     }
   }
   for (size_t i = 0; m < order && i < kTileItems; i += hn::Lanes(d)) {
     EvalColumn{order, m}(k, TileIn(direction + i)(2), hn::Load(d, cosine + i),
-                         hn::Load(d, sine + i),
-                         PlanesOut{to + i * sizeof(float), out.plane_stride});
+                         hn::Load(d, sine + i), to(i));
   }
 }
 
@@ -81,7 +81,7 @@ HWY_NOINLINE void EvalTileBands(int order, const simd::InView& directions, size_
 void EvalAnyBatch(int order, size_t count, const simd::InView& directions,
                   const simd::OutView& out) {
   const size_t planes = static_cast<size_t>(order * order);
-  const bool contiguous = out.item_stride == sizeof(float) && out.tile_items % kTileItems == 0;
+  const bool contiguous = IsContiguous(out, kTileItems);
   const bool streams = contiguous && WorthStreaming(count, planes) && CanStream(out, 0, planes);
   for (size_t first = 0; first < count; first += kTileItems) {
     const size_t n = std::min(kTileItems, count - first);

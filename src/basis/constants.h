@@ -75,8 +75,7 @@ struct Step {
 constexpr int StepIndex(int l, int m) { return l * (l - 1) / 2 + m; }
 
 struct Bands {
-  float sectoral[kMaxOrder];   // kSectoral
-  float promotion[kMaxOrder];  // [m]: kSectoral<m> / kSectoral<m - 1>, from m = 2
+  float sectoral[kMaxOrder];  // kSectoral
   Step steps[StepIndex(kMaxOrder, 0)];
   float ladder[StepIndex(kMaxOrder, 0)];  // sqrt((l - m) (l + m + 1)) / 2, between m and m + 1
 };
@@ -85,8 +84,6 @@ constexpr Bands MakeBands() {
   double forward_below[kMaxOrder] = {};
   for (int l = 0; l < kMaxOrder; ++l) {
     bands.sectoral[l] = static_cast<float>(Sectoral(l));
-    bands.promotion[l] =
-        static_cast<float>(l == 0 ? 0.0 : -ConstexprSqrt((2.0 * l + 1.0) / (2.0 * l)));
     for (int m = 0; m < l; ++m) {
       const double forward = StepForward(l, m);
       const double backward = m + 1 < l ? forward / forward_below[m] : 0.0;

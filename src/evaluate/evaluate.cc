@@ -84,8 +84,7 @@ class TileSums {
     HWY_ALIGN float tile[kMostPlanes * kTileItems];
     const AddDot kernel{planes, weight};
     float* const sums = sums_ + channel * kTileItems;
-    const bool direct = a.item_stride == sizeof(float) && a.tile_items % kTileItems == 0 &&
-                        n_ % hn::Lanes(LaneTag()) == 0;
+    const bool direct = IsContiguous(a, kTileItems) && n_ % hn::Lanes(LaneTag()) == 0;
     if (!direct && !a.IsBroadcast()) LoadTiles(a, ShapeOf(a, planes), first_, n_, planes, tile);
     for (size_t i = 0; i < n_; i += hn::Lanes(LaneTag())) {
       const PlanesIn b_in = TileIn(b + i), before = TileIn(sums + i);

@@ -109,8 +109,7 @@ class Side {
         planes_(planes),
         first_(first),
         shape_(ShapeOf(view, planes)),
-        direct_(view.item_stride == sizeof(float) &&
-                (view.tile_items == 0 || view.tile_items % hn::Lanes(LaneTag()) == 0)),
+        direct_(IsContiguous(view, hn::Lanes(LaneTag()))),
         tile_(tile),
         items_(items) {}
 

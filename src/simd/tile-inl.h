@@ -53,10 +53,15 @@ bool IsPacked(const View& view, size_t planes) {
          view.item_stride == static_cast<ptrdiff_t>(planes * sizeof(float));
 }
 
+// Whether runs of so many items, which begin at multiples of it, are contiguous in each plane.
+template <typename View>
+bool IsContiguous(const View& view, size_t run) {
+  return view.item_stride == sizeof(float) && view.tile_items % run == 0;
+}
+
 template <typename View>
 RowShape ShapeOf(const View& view, size_t planes) {
-  const bool one_run = view.tile_items == 0 || view.tile_items % hn::Lanes(LaneTag()) == 0;
-  if (!one_run) return RowShape::kOther;
+  if (view.tile_items % hn::Lanes(LaneTag()) != 0) return RowShape::kOther;
   if (view.item_stride == sizeof(float)) return RowShape::kPlanes;
   if (!GAUNT_TRANSPOSES || view.plane_stride != 4) return RowShape::kOther;
 #if GAUNT_WIDE_TRANSPOSES
@@ -295,9 +300,9 @@ inline constexpr size_t kMaxPackedPlanes = 128;
 inline bool CanStream(const simd::OutView& view, size_t first, size_t planes) {
   constexpr ptrdiff_t kLine = kTileStride;
   if (!HWY_ARCH_X86 || reinterpret_cast<intptr_t>(view.Item(first)) % kLine != 0) return false;
-  if (view.item_stride == sizeof(float)) {
+  if (IsContiguous(view, kTileItems)) {
     return view.plane_stride % kLine == 0 && first % kTileItems == 0 &&
-           view.tile_items % kTileItems == 0 && view.tile_stride % kLine == 0;
+           view.tile_stride % kLine == 0;
   }
   return IsPacked(view, planes) && planes <= kMaxPackedPlanes &&
          ShapeOf(view, planes) != RowShape::kOther;

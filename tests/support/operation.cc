@@ -139,6 +139,10 @@ void TestBroadcast(const Operation& operation, size_t side) {
     Run run(operation, kMostItems, layouts, layout, inputs);
     ASSERT_EQ(run.Call(operation, kMostItems), GAUNT_OK);
     ExpectMatchesReference(operation, inputs, kMostItems, run.out);
+    if (!operation.broadcast_rounds_alike) continue;
+    Run each(operation, kMostItems, AllIn(operation, layout), layout, inputs);
+    ASSERT_EQ(each.Call(operation, kMostItems), GAUNT_OK);
+    ExpectSameOutputs(operation, kMostItems, each.out, run.out, kNoItem);
   }
 }
 
@@ -305,6 +309,13 @@ void TestErrors(const Operation& operation) {
   };
 
   EXPECT_EQ(operation.call(0, Operation::Views(num_in), Operation::Views(num_out)), GAUNT_OK);
+  // Counts that no array has, such as a -1 of the caller.
+  for (const Layout layout : {Layout::kTiled, Layout::kOddTiles, Layout::kInterleaved}) {
+    Run huge(operation, kCount, AllIn(operation, layout), layout, inputs);
+    for (const size_t count : {SIZE_MAX, SIZE_MAX - 15, SIZE_MAX / 4}) {
+      EXPECT_EQ(huge.Call(operation, count), GAUNT_ERROR_RANGE) << Name(layout) << " " << count;
+    }
+  }
   for (size_t v = 0; v < views.size(); ++v) {
     SCOPED_TRACE("view " + std::to_string(v));
     EXPECT_EQ(call(kCount, views, v), GAUNT_ERROR_NULL);

@@ -28,6 +28,8 @@ struct Operation {
   std::function<double(const Item& in, const Item& wanted, size_t side, size_t plane)> tolerance;
   // Inputs that output 0 may be in place of.
   std::vector<size_t> in_place;
+  // Whether an input that is one item for all gives the bits of as many equal items.
+  bool broadcast_rounds_alike = true;
 };
 
 // Runs on the chosen target: every pair of layouts and counts around the lanes, against the
