@@ -2,7 +2,9 @@
 // Version, statuses, targets and the helpers of views.
 #include <gtest/gtest.h>
 #include <pthread.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -161,9 +163,10 @@ void* CallOnSmallStack(void*) {
 TEST(Stack, IsWhatTheManualPromises) {
   pthread_attr_t attributes;
   ASSERT_EQ(pthread_attr_init(&attributes), 0);
-  // What the test and the C library need comes on top.
-  constexpr size_t kOwn = 24 << 10;
-  ASSERT_EQ(pthread_attr_setstacksize(&attributes, (64 << 10) + kOwn), 0);
+  // What the test and the C library need comes on top; some systems want more in any case.
+  constexpr size_t kPromised = 64 << 10, kOwn = 24 << 10;
+  const size_t least = static_cast<size_t>(sysconf(_SC_THREAD_STACK_MIN));
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::max(kPromised + kOwn, least)), 0);
   for (const std::string& target : SupportedTargets()) {
     SCOPED_TRACE(target);
     ASSERT_EQ(gaunt_target_select(target.c_str()), GAUNT_OK);
