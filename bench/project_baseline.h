@@ -8,7 +8,7 @@
 
 namespace gaunt::bench {
 
-// Six faces of size^2 texels of 4 floats, of which 3 are projected to out[3 * order^2]; order 3 or 6.
+// Six faces of size^2 texels of 4 floats, of which 3 go to out[3 * order^2]; order 3 or 6.
 void CubemapEngine(int order, size_t size, const float* const faces[6], float* out);
 // Texels of 3 floats.
 void EquirectEngine(int order, size_t width, size_t height, const float* texels, float* out);

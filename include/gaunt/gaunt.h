@@ -7,7 +7,7 @@
  *   coefficient   i = l(l+1) + m, m = -l .. l
  *   sign          Sloan's, with the Condon-Shortley phase: y_1 = sqrt(3/(4 pi)) (-y, z, -x)
  *   scale         orthonormal: the integral of y_i y_j over the sphere is 1 if i = j, else 0
- *   axes          right-handed, z is the zonal axis. Without rotation or an image, any axes will do.
+ *   axes          right-handed, z is the zonal axis; without rotation or an image, any will do
  *   rotation      f'(s) = f(R^-1 s): a lobe at d moves to R d
  *   quantity      each function says what it takes and gives: radiance L, irradiance E, or E/pi
  *                 (what a white diffuse surface sends out)
@@ -17,17 +17,18 @@
  *   item          probe, direction, light or object; `count` of them go in one call
  *   plane         one float per item. Coefficients of channels are planes channel * n^2 + i.
  *   gaunt_view    where the planes of a batch lie in memory: planar, interleaved, tiled, broadcast,
- *                 or any strides. All layouts give the same bits, and so does a broadcast unless the
+ *                 or any strides. All layouts give the same bits; so does a broadcast, unless the
  *                 entry says otherwise. Tiles of 16 are the fastest. Outputs from 32 MiB up go past
  *                 the caches on x86 where planes, or packed rows, begin on lines of 64 bytes.
  *
  * ALL FUNCTIONS
  *   return GAUNT_OK or a negative status, and write nothing when they fail. They allocate nothing,
- *   take less than 64 KiB of stack, keep no state but the chosen SIMD target, and may be called from any thread. Arguments are
- *   checked in constant time: null pointers, orders, layouts, ranges, overlap. With count 0 the
- *   views may be NULL. A NaN or an infinity makes the outputs of its own item unspecified, never a
- *   neighbour's, unless the entry says what it does with them. Nothing outside the described
- *   elements is read or written, and no alignment beyond that of float is needed.
+ *   take less than 64 KiB of stack, keep no state but the chosen SIMD target, and may be called
+ *   from any thread. Arguments are checked in constant time: null pointers, orders, layouts, ranges,
+ *   overlap. With count 0 the views may be NULL. A NaN or an infinity makes the outputs of its own
+ *   item unspecified, never a neighbour's, unless the entry says what it does with them. Nothing
+ *   outside the described elements is read or written, and no alignment beyond that of float is
+ *   needed.
  *
  * OVERLAP
  *   An output may be the same view as an input only where the entry says "in place". Otherwise
@@ -40,8 +41,8 @@
  *   Stated figures are tested on every SIMD target against definitions in double precision. Targets
  *   with fused multiply-add (AVX2, AVX3, NEON, SVE) give equal bits for finite data, and so do the
  *   others among themselves; image projection is exempt. Figures hold for unit vectors that are
- *   exact ones rounded to float, or come from gaunt_directions_normalize(); another length adds what
- *   gaunt_basis_eval() says.
+ *   exact ones rounded to float, or come from gaunt_directions_normalize(); another length adds
+ *   what gaunt_basis_eval() says.
  */
 #ifndef GAUNT_GAUNT_H_
 #define GAUNT_GAUNT_H_
@@ -178,8 +179,8 @@ GAUNT_API gaunt_status gaunt_view_broadcast(float* data, gaunt_view* view);
  *             188 |e| at order 16. See gaunt_directions_normalize().
  * out         n^2 planes
  *
- * Accuracy:  against the direction normalised in double, |error| <= 4e-7 up to order 3, 1.2e-6 up to
- *            order 6 (1.3e-6 without fused multiply-add), and 2e-8 (l+1)^2.5 in band l above.
+ * Accuracy:  against the direction normalised in double, |error| <= 4e-7 up to order 3, 1.2e-6 up
+ *            to order 6 (1.3e-6 without fused multiply-add), and 2e-8 (l+1)^2.5 in band l above.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
  */
@@ -188,7 +189,7 @@ GAUNT_API gaunt_status gaunt_basis_eval(uint32_t n, size_t count, const gaunt_vi
 
 /**
  * Gradient of the SH basis on the sphere, in Cartesian components:
- *   (d_dx, d_dy, d_dz)(i, l(l+1)+m) = grad of y_lm(v / |v|) with respect to v, at v = directions(i).
+ *   (d_dx, d_dy, d_dz)(i, l(l+1)+m) = grad of y_lm(v / |v|) with respect to v at directions(i).
  * It is orthogonal to the direction and finite everywhere, the poles included.
  *
  * n                 order, 1 .. GAUNT_MAX_ORDER
@@ -381,8 +382,8 @@ enum {
  *          DirectXMath's SHProjectCubeMap.
  *   GL     GL_TEXTURE_CUBE_MAP_POSITIVE_X .. NEGATIVE_Z, the first row of the data at t = 0. The
  *          table is that of sc, tc and ma in EXT_texture_cube_map and in OpenGL 4.6, section 8.13,
- *          made to agree with Direct3D: in GL's right-handed world, a face seen from inside the cube
- *          is mirrored.
+ *          made to agree with Direct3D: in GL's right-handed world, a face seen from inside the
+ *          cube is mirrored.
  *   UNITY  Cubemap.GetPixels(face), CubemapFace 0 .. 5: element i + N j is the texel (i, j) of the
  *          table, unlike a Texture2D, whose first row is the bottom one: faces that were read as a
  *          Texture2D want a negative row stride. (Unity's manual calls the rows of GetPixels top to
@@ -454,8 +455,8 @@ GAUNT_API gaunt_status gaunt_project_cubemap(uint32_t n, uint32_t channels,
  * sums       channels * n^2 doubles, sums[channel * n^2 + i]: zeros at first
  *
  * Accuracy:  in any split of rows with the same strides and type, sums agree to 1e-12 of the mean
- *            magnitude of the texels times 4 pi; in others, in cubemaps whose faces differ in strides
- *            or type, and in cubemaps above order 10, to 2e-6.
+ *            magnitude of the texels times 4 pi; in others, in cubemaps whose faces differ in
+ *            strides or type, and in cubemaps above order 10, to 2e-6.
  * Overlap:   none is checked; the rows must not be the sums.
  * Returns as gaunt_project_equirect(); GAUNT_ERROR_RANGE for rows that the panorama does not have.
  */
@@ -467,8 +468,8 @@ GAUNT_API gaunt_status gaunt_project_equirect_rows(uint32_t n, uint32_t channels
 
 /**
  * Adds some rows of a face of a cubemap to sums, as gaunt_project_equirect_rows() does. Whole faces
- * are the best: rows j and N - 1 - j of a call share what is made for one of them. It takes twice as
- * long as gaunt_project_cubemap(), in which all six faces do.
+ * are the best: rows j and N - 1 - j of a call share what is made for one of them. It takes twice
+ * as long as gaunt_project_cubemap(), in which all six faces do.
  *
  * face       0 .. 5
  * rows       rows->height rows in hand, of a face whose size is rows->width
@@ -766,11 +767,12 @@ typedef struct gaunt_convention {
   uint32_t struct_size;  /**< sizeof(gaunt_convention) */
   uint32_t sign;         /**< GAUNT_SIGN_* */
   uint32_t coefficients; /**< GAUNT_COEFFICIENTS_*: their order in a band */
-  uint32_t scale;    /**< GAUNT_SCALE_* */
-  uint32_t quantity; /**< GAUNT_QUANTITY_* */
-  uint32_t axes[3];  /**< GAUNT_AXIS_*: where x, y and z point, three lines. This says which hand
-                              they form, and a change of hand mirrors coefficients, not the scene. */
-  float offset;      /**< what is added to the sum that gives the value; finite */
+  uint32_t scale;        /**< GAUNT_SCALE_* */
+  uint32_t quantity;     /**< GAUNT_QUANTITY_* */
+  /** GAUNT_AXIS_*: where x, y and z point, on three lines. This says which hand they form; a change
+      of hand mirrors coefficients, not the scene. */
+  uint32_t axes[3];
+  float offset; /**< what is added to the sum that gives the value; finite */
 } gaunt_convention;
 
 /**
@@ -798,8 +800,8 @@ typedef struct gaunt_convention {
  *   GODOT            probes of LightmapGIData (not its lightmaps)
  *   THREEJS          SphericalHarmonics3 of a LightProbe, whose getIrradianceAt() is E, not E/pi
  *   FILAMENT         IndirectLight::Builder::irradiance() and cmgen --sh-shader of a cubemap that
- *                    was mirrored, cmgen's default, which is how it looks from inside. cmgen lays the
- *                    centre of a panorama at +z: for its files, axes are LEFT, UP, FORWARD.
+ *                    was mirrored, cmgen's default, which is how it looks from inside. cmgen lays
+ *                    the centre of a panorama at +z: for its files, axes are LEFT, UP, FORWARD.
  *   GAUSSIAN_SPLATS  .ply of 3D Gaussian splatting: f_dc_c, then f_rest_[c (n^2 - 1) ..]; a colour
  *                    along the line of sight. A capture may lie any way; these are the axes that
  *                    tools suppose.
