@@ -337,7 +337,7 @@ struct EvalGradient {
                               const Out& dz) const {
     typename K::template Slots<NumCoefficients(n)> y;
     Eval<n>()(k, direction, y);
-    Coefficient<0>(k, direction, y, dx, dy, dz);
+    All(k, direction, y, dx, dy, dz, std::make_integer_sequence<int, NumCoefficients(n)>());
   }
 
  private:
@@ -348,15 +348,19 @@ struct EvalGradient {
     GAUNT_LANES auto operator()(size_t p) const { return slots(first + p); }
   };
 
+  // Side by side, not nested: compilers take minutes over the latter.
+  template <class K, class In, class Slots, class Out, int... i>
+  static GAUNT_LANES void All(const K& k, const In& direction, const Slots& y, const Out& dx,
+                              const Out& dy, const Out& dz, std::integer_sequence<int, i...>) {
+    (Coefficient<i>(k, direction, y, dx, dy, dz), ...);
+  }
+
   template <int i, class K, class In, class Slots, class Out>
-  GAUNT_LANES void Coefficient(const K& k, const In& direction, const Slots& y, const Out& dx,
-                               const Out& dy, const Out& dz) const {
-    if constexpr (i < NumCoefficients(n)) {
-      constexpr int l = BandOf(i), m = i - CoefficientIndex(l, 0);
-      GradientBand{l, m, m + 1}(k, direction, BandOfSlots<Slots>{y, l * l}, dx.From(i), dy.From(i),
-                                dz.From(i));
-      Coefficient<i + 1>(k, direction, y, dx, dy, dz);
-    }
+  static GAUNT_LANES void Coefficient(const K& k, const In& direction, const Slots& y,
+                                      const Out& dx, const Out& dy, const Out& dz) {
+    constexpr int l = BandOf(i), m = i - CoefficientIndex(l, 0);
+    GradientBand{l, m, m + 1}(k, direction, BandOfSlots<Slots>{y, l * l}, dx.From(i), dy.From(i),
+                              dz.From(i));
   }
 };
 
