@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "check.h"
+#include "simd/order.h"
 #include "simd/target.h"
+
+static_assert(GAUNT_MAX_ORDER == gaunt::kMaxOrder && GAUNT_MAX_CHANNELS == gaunt::kMaxChannels &&
+                  GAUNT_MAX_LIGHT_ORDER == gaunt::kMaxUnrolledOrder,
+              "the manual's limits are the kernels'");
 
 extern "C" {
 

@@ -77,7 +77,7 @@ gaunt_status gaunt_convention_preset(uint32_t engine, gaunt_convention* conventi
 gaunt_status gaunt_convert(uint32_t n, uint32_t channels, size_t count,
                            const gaunt_convention* from, const gaunt_convention* to,
                            const gaunt_view* in, const gaunt_view* out) {
-  GAUNT_REQUIRE(InRange(n, 1, gaunt::kMaxOrder), GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(InRange(n, 1, GAUNT_MAX_ORDER), GAUNT_ERROR_ORDER);
   GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
   Convention source, target;
   GAUNT_CHECK(ConventionOf(from, &source));

@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "check.h"
-#include "simd/order.h"
 
 using gaunt::capi::InputOf;
 using gaunt::capi::InRange;
@@ -21,7 +20,7 @@ namespace {
 constexpr uint32_t kMaxSize = 65536;
 
 gaunt_status CheckScalars(uint32_t n, uint32_t channels) {
-  GAUNT_REQUIRE(InRange(n, 1, gaunt::kMaxOrder), GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(InRange(n, 1, GAUNT_MAX_ORDER), GAUNT_ERROR_ORDER);
   GAUNT_REQUIRE(InRange(channels, 1, GAUNT_MAX_CHANNELS), GAUNT_ERROR_RANGE);
   return GAUNT_OK;
 }

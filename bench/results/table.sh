@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# table.sh RESULTS.json: prints the README's table of speeds from a file that gaunt_bench wrote.
+set -euo pipefail
+
+awk -F'"' '
+  /"run_name"/ { run = $4 }
+  /"aggregate_name"/ { median = $4 == "median" }
+  /"ns_item"/ && median { split($3, cell, "[:,]"); ns[run] = cell[2] }
+  function row(text, name, scalar) {
+    printf "| %s | %.2f | %.2f | %.1f |\n", text, ns[name "/AVX3"], ns[name "/AVX2"], ns[scalar]
+  }
+  END {
+    print "| ns per item or texel, g++ 12 | AVX-512 | AVX2 | scalar, as engines have it |"
+    print "|---|---|---|---|"
+    for (n = 3; n <= 6; n += 3) {
+      engine = "basis/eval/n" n "/interleaved/1024/engine"
+      row("basis, order " n ", tiled", "basis/eval/n" n "/tiled/1024", engine)
+      row("basis, order " n ", interleaved", "basis/eval/n" n "/interleaved/1024", engine)
+    }
+    probe = "evaluate/irradiance_one_probe/n3/"
+    row("E/π, RGB, one probe at many normals, tiled", probe "tiled/1024",
+        probe "interleaved/1024/engine")
+    cube = "project/cubemap/n3/rgba32f/64"
+    row("cubemap 6 × 64², RGBA32F, order 3", cube, cube "/scalar")
+    panorama = "project/equirect/n3/rgb32f/1024x512"
+    row("panorama 1024 × 512, RGB32F, order 3", panorama, panorama "/scalar")
+  }' "$1"
