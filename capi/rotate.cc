@@ -41,4 +41,12 @@ gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t count,
   return Rotate(gaunt::rotate::Kernels().matrix, 9, n, channels, count, matrices, in, out);
 }
 
+gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matrices, float* worst) {
+  GAUNT_REQUIRE(worst != nullptr, GAUNT_ERROR_NULL);
+  GAUNT_CHECK(gaunt::capi::MemoryCheck(count).In(matrices, 9).status());
+  *worst = count == 0 ? 0.0f
+                      : gaunt::rotate::Kernels().deviation(count, InputOf(*matrices, count));
+  return GAUNT_OK;
+}
+
 }  // extern "C"

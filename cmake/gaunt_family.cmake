@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# gaunt_family(<name>): one feature, whose files share a stem. All of them must be there.
+# gaunt_family(<name> [part...]): one feature, whose files share a stem. All of them must be there.
+# Parts are further sources of the library, src/<name>/<part>.cc.
 function(gaunt_family name)
   foreach(file
       src/${name}/${name}.h src/${name}/${name}-inl.h src/${name}/${name}.cc
@@ -12,6 +13,9 @@ function(gaunt_family name)
   endforeach()
   set_property(GLOBAL APPEND PROPERTY gaunt_families ${name})
   target_sources(gaunt_objects PRIVATE src/${name}/${name}.cc capi/${name}.cc)
+  foreach(part ${ARGN})
+    target_sources(gaunt_objects PRIVATE src/${name}/${part}.cc)
+  endforeach()
   target_sources(gaunt_reference PRIVATE src/${name}/${name}_reference.cc)
   target_sources(gaunt_count PRIVATE src/${name}/${name}_count.cc)
   if(GAUNT_TESTS)

@@ -81,8 +81,8 @@ extern "C" {
 #define GAUNT_MAX_ORDER 64
 /** Highest order of light extraction in this version. */
 #define GAUNT_MAX_LIGHT_ORDER 6
-/** Highest order of rotation in this version. */
-#define GAUNT_MAX_ROTATE_ORDER 3
+/** Highest order of rotation. */
+#define GAUNT_MAX_ROTATE_ORDER 16
 #define GAUNT_MAX_CHANNELS 4
 
 /** Status of a call. Values never change. */
@@ -530,7 +530,7 @@ GAUNT_API gaunt_status gaunt_project_sums(uint32_t n, uint32_t channels, const d
  *
  * n            order, 1 .. GAUNT_MAX_ROTATE_ORDER
  * channels     1 .. GAUNT_MAX_CHANNELS
- * count        items; broadcast the quaternion to rotate all of them alike
+ * count        items; broadcast the quaternion to rotate all of them alike, which takes half the time
  * quaternions  4 planes x, y, z, w, of any length within 1e-18 .. 1e18: they are normalised. A zero
  *              quaternion is the identity.
  * in, out      channels * n^2 planes
@@ -554,6 +554,17 @@ GAUNT_API gaunt_status gaunt_rotate(uint32_t n, uint32_t channels, size_t count,
 GAUNT_API gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t count,
                                            const gaunt_view* matrices, const gaunt_view* in,
                                            const gaunt_view* out);
+
+/**
+ * How far matrices are from orthonormal: the largest entry of |R^T R - 1| of any of them.
+ *
+ * count     matrices
+ * matrices  9 planes, row-major
+ * worst     receives the deviation; infinity if an entry is not finite, 0 for no matrices
+ *
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE.
+ */
+GAUNT_API gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matrices, float* worst);
 
 /* ---- light ----------------------------------------------------------------------------------- */
 

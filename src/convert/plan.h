@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "convert/convention.h"
-#include "convert/turn.h"
 #include "evaluate/constants.h"
+#include "rotate/turn.h"
 #include "simd/order.h"
 
 namespace gaunt::convert {
@@ -142,7 +142,7 @@ class Conversion {
   // Whether the conversion exists for these orders.
   bool Has(int order) const {
     if (order > MaxOrderOf(from_, kMaxOrder) || order > MaxOrderOf(to_, kMaxOrder)) return false;
-    if (!IsFlat() && order > kMaxTurnOrder) return false;
+    if (!IsFlat() && order > rotate::kMaxTurnOrder) return false;
     // Band 3 of irradiance is gone.
     return !(IsIrradiance(from_.quantity) && !IsIrradiance(to_.quantity) && order > 3);
   }
@@ -193,7 +193,8 @@ class Conversion {
     // Sines are coupled where l + m' + m is odd, and there is none of m = 0.
     const int parity = (l + magnitude + (last.m < 0 ? 1 : 0)) % 2;
     for (int k = parity == 0 && last.m < 0 ? 2 : parity; k <= l; k += 2) {
-      emit(MoveOf(before_, l, direction * k), last.sign * kTurn.entry[TurnIndex(l, magnitude, k)]);
+      const double entry = rotate::kTurn.entry[rotate::TurnIndex(l, magnitude, k)];
+      emit(MoveOf(before_, l, direction * k), last.sign * entry);
     }
   }
 

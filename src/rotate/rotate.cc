@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "rotate/rotate.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rotate/rotate.cc"
 #include <hwy/foreach_target.h>
@@ -12,33 +18,97 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::rotate::HWY_NAMESPACE {
 
+// Items whose planes of all channels are done in one go; larger ones go channel by channel, since
+// all of their planes are more than the stack should hold.
+inline constexpr int kMaxWholeOrder = 6;
+
+// run(channels, in, out) for all channels at once or for each of them.
+template <int n, class Run>
+void ForChannels(size_t channels, const simd::InView& in, const simd::OutView& out,
+                 const Run& run) {
+  constexpr size_t kCoefficients = NumCoefficients(n);
+  if constexpr (n <= kMaxWholeOrder) {
+    constexpr size_t kMaxPlanes = kMaxChannels * kCoefficients;
+    const size_t planes = channels * kCoefficients;
+    run(channels, In<kMaxPlanes>(in, planes), Out<kMaxPlanes>(out, planes));
+  } else {
+    for (size_t c = 0; c < channels; ++c) {
+      run(1, In<kCoefficients>(in.FromPlane(c * kCoefficients)),
+          Out<kCoefficients>(out.FromPlane(c * kCoefficients)));
+    }
+  }
+}
+
+// The first item.
+template <size_t kPlanes>
+std::array<float, kPlanes> FirstItem(const simd::InView& view) {
+  std::array<float, kPlanes> item;
+  for (size_t p = 0; p < kPlanes; ++p) {
+    std::memcpy(&item[p], view.FromPlane(p).data, sizeof(float));
+  }
+  return item;
+}
+
 template <int n>
-void MatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
-                 const simd::InView& in, const simd::OutView& out) {
-  constexpr size_t kMaxPlanes = kMaxChannels * NumCoefficients(n);
-  const size_t planes = channels * NumCoefficients(n);
-  ForEachBatch(count, RotateMatrix<n>{channels}, In<9>(matrices), In<kMaxPlanes>(in, planes),
-               Out<kMaxPlanes>(out, planes));
+void PlanBatch(const Plan& plan, size_t channels, size_t count, const simd::InView& in,
+               const simd::OutView& out) {
+  ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
+    ForEachBatch(count, ApplyPlan{n, now, plan}, from, to);
+  });
+}
+
+// One rotation for all is worth a plan. One item is a broadcast too, and should have the bits of one
+// among many.
+inline bool IsOne(size_t count, const simd::InView& rotations) {
+  return count > 1 && rotations.IsBroadcast();
 }
 
 template <int n>
 void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaternions,
                      const simd::InView& in, const simd::OutView& out) {
-  if (quaternions.IsBroadcast()) {
-    float matrix[9];
-    ForEachBatch(1, MatrixFromQuaternion(), In<4>(quaternions),
-                 Out<9>(simd::InterleavedOut(matrix, 9)));
-    return MatrixBatch<n>(channels, count, simd::BroadcastIn(matrix), in, out);
+  if (IsOne(count, quaternions)) {
+    Plan plan;
+    PlanQuaternion(n, FirstItem<4>(quaternions).data(), plan);
+    return PlanBatch<n>(plan, channels, count, in, out);
   }
-  constexpr size_t kMaxPlanes = kMaxChannels * NumCoefficients(n);
-  const size_t planes = channels * NumCoefficients(n);
-  ForEachBatch(count, RotateQuaternion<n>{channels}, In<4>(quaternions), In<kMaxPlanes>(in, planes),
-               Out<kMaxPlanes>(out, planes));
+  ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
+    ForEachBatch(count, RotateByQuaternion<n>(now), In<4>(quaternions), from, to);
+  });
+}
+
+template <int n>
+void MatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
+                 const simd::InView& in, const simd::OutView& out) {
+  if (IsOne(count, matrices)) {
+    Plan plan;
+    PlanMatrix(n, FirstItem<9>(matrices).data(), plan);
+    return PlanBatch<n>(plan, channels, count, in, out);
+  }
+  ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
+    ForEachBatch(count, RotateByMatrix<n>(now), In<9>(matrices), from, to);
+  });
+}
+
+float Deviations(size_t count, const simd::InView& matrices) {
+  constexpr size_t kItems = 8 * kTileItems;
+  float deviations[kItems];
+  float worst = 0.0f;
+  for (size_t first = 0; first < count; first += kItems) {
+    const size_t n = std::min(kItems, count - first);
+    ForEachBatch(n, Deviation(), In<9>(matrices, 9, first),
+                 Out<1>(simd::InterleavedOut(deviations, 1)));
+    for (size_t i = 0; i < n; ++i) {
+      const float deviation = deviations[i];
+      if (!(deviation <= std::numeric_limits<float>::max())) return HUGE_VALF;
+      worst = std::max(worst, deviation);
+    }
+  }
+  return worst;
 }
 
 template <int... n>
 constexpr Table MakeTable(std::integer_sequence<int, 0, n...>) {
-  return {{nullptr, &QuaternionBatch<n>...}, {nullptr, &MatrixBatch<n>...}};
+  return {{nullptr, &QuaternionBatch<n>...}, {nullptr, &MatrixBatch<n>...}, &Deviations};
 }
 
 const Table* GetTable() {

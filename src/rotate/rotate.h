@@ -8,7 +8,7 @@
 
 namespace gaunt::rotate {
 
-inline constexpr int kMaxOrder = 3;
+inline constexpr int kMaxOrder = 16;
 
 using RotateFn = void (*)(size_t channels, size_t count, const simd::InView& rotations,
                           const simd::InView& in, const simd::OutView& out);
@@ -16,6 +16,8 @@ using RotateFn = void (*)(size_t channels, size_t count, const simd::InView& rot
 struct Table {
   RotateFn quaternion[kMaxOrder + 1];  // [order]; rotations are 4 planes x y z w
   RotateFn matrix[kMaxOrder + 1];      // [order]; rotations are 9 planes, row-major
+  // The largest entry of |R^T R - 1| of all matrices; infinite if one is not finite.
+  float (*deviation)(size_t count, const simd::InView& matrices);
 };
 
 const Table& Kernels();

@@ -14,15 +14,17 @@ template <int n>
 void Append(OperationRows& rows) {
   namespace kernels = HWY_NAMESPACE;
   const CountPlanes planes;
+  const Plan plan = {};
   for (const size_t channels : {1, 3}) {
     const std::string variant = channels == 1 ? "mono" : "rgb";
-    const Operations matrix =
-        CountKernel(kernels::RotateMatrix<n>{channels}, planes, planes, planes);
-    rows.push_back({"rotate", std::to_string(n), variant,
-                    CountKernel(kernels::RotateQuaternion<n>{channels}, planes, planes, planes)});
-    rows.push_back({"rotate_matrix", std::to_string(n), variant, matrix});
-    // The matrix of the one quaternion is made once per call.
-    rows.push_back({"rotate_broadcast", std::to_string(n), variant, matrix});
+    const std::string order = std::to_string(n);
+    rows.push_back({"rotate", order, variant,
+                    CountKernel(kernels::RotateByQuaternion<n>(channels), planes, planes, planes)});
+    rows.push_back({"rotate_matrix", order, variant,
+                    CountKernel(kernels::RotateByMatrix<n>(channels), planes, planes, planes)});
+    // The plan is made once per call.
+    rows.push_back({"rotate_broadcast", order, variant,
+                    CountKernel(kernels::ApplyPlan{n, channels, plan}, planes, planes)});
   }
   if constexpr (n < kMaxOrder) Append<n + 1>(rows);
 }

@@ -52,6 +52,7 @@ inline Counted Div(Counted, Counted) { return ++CountedOperations().div, Counted
 inline Counted Sqrt(Counted) { return ++CountedOperations().div, Counted(); }
 inline Counted Neg(Counted) { return {}; }
 inline Counted Abs(Counted) { return {}; }
+inline Counted And(Counted, Counted) { return {}; }
 inline Counted Min(Counted, Counted) { return {}; }
 inline Counted Max(Counted, Counted) { return {}; }
 inline CountedMask Lt(Counted, Counted) { return {}; }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The matrix of the one change of axes that mixes coefficients: x and z swapped. All others are
-// this one between two that only move and negate coefficients.
-#ifndef GAUNT_CONVERT_TURN_H_
-#define GAUNT_CONVERT_TURN_H_
+// this one between two that only move and negate coefficients. Signs are those without the
+// Condon-Shortley phase; with it, it is x and -z that are swapped.
+#ifndef GAUNT_ROTATE_TURN_H_
+#define GAUNT_ROTATE_TURN_H_
 
 #include <cstdint>
 
 #include "basis/constants.h"
 
-namespace gaunt::convert {
+namespace gaunt::rotate {
 
 // Orders that the table holds.
 inline constexpr int kMaxTurnOrder = 16;
@@ -53,6 +54,6 @@ struct TurnTable {
 
 inline constexpr TurnTable kTurn;
 
-}  // namespace gaunt::convert
+}  // namespace gaunt::rotate
 
-#endif  // GAUNT_CONVERT_TURN_H_
+#endif  // GAUNT_ROTATE_TURN_H_

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+// Kernels of rotation at any order, band by band: turns about z by the three Euler angles, with x
+// and z swapped between them. The sines and cosines of the angles come straight from a quaternion,
+// without trigonometry and without a singular direction.
+#if defined(GAUNT_ROTATE_BANDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GAUNT_ROTATE_BANDS_INL_H_
+#undef GAUNT_ROTATE_BANDS_INL_H_
+#else
+#define GAUNT_ROTATE_BANDS_INL_H_
+#endif
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "rotate/matrix-inl.h"
+#include "rotate/rotate.h"
+#include "rotate/turn.h"
+#include "simd/lanes-inl.h"
+#include "simd/order.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gaunt::rotate::HWY_NAMESPACE {
+
+using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
+
+// R = Rz(alpha) Rx(beta) Rz(gamma). The table's swap S takes z to -x with the Condon-Shortley phase,
+// and is a reflection, so Rx(beta) = S Rz(beta) S: turns about z by gamma, beta and alpha, in this
+// order, and S between them. Before them all, a mirror of y may negate the sines: the first turn has
+// factors of its own for them.
+enum Turn { kFirstTurn, kFirstTurnOfSines, kMiddleTurn, kLastTurn, kTurns };
+
+// Slots of cos(m angle) and sin(m angle), m = 1 .. kMaxOrder - 1, of each turn.
+constexpr size_t CosineSlot(int turn, int m) {
+  return static_cast<size_t>(2 * ((kMaxOrder - 1) * turn + m - 1));
+}
+constexpr size_t SineSlot(int turn, int m) { return CosineSlot(turn, m) + 1; }
+inline constexpr int kTurnSlots = 2 * kTurns * (kMaxOrder - 1);
+
+// Cosines and sines of m times the three angles, m < order, of a quaternion of any length.
+struct TurnsFromQuaternion {
+  int order;
+
+  template <class K, class In, class Slots>
+  GAUNT_LANES void operator()(const K& k, const In& quaternion, Slots& turns) const {
+    using V = typename K::V;
+    V x = quaternion(0), y = quaternion(1), z = quaternion(2), w = quaternion(3);
+    Scale(k, x, y, z, w);
+    // Of the half angles: w + i z = cos(beta/2) e^(i (alpha + gamma)/2), and x + i y = sin(beta/2)
+    // e^(i (alpha - gamma)/2). Their squared lengths a and b add up to that of the quaternion, and
+    // to something between 1 and 16.
+    const V a = MulAdd(w, w, Mul(z, z)), b = MulAdd(x, x, Mul(y, y));
+    const V product = Mul(a, b);
+    const V root = Sqrt(product);
+    // Where one of the two is all but zero, it has no angle: the other one's angle is all there is,
+    // and the middle one is 0 or pi.
+    const auto pole = Lt(product, k(kPoleProduct));
+    const auto upper = Gt(a, b);
+    const V re = IfThenElse(upper, w, x), im = IfThenElse(upper, z, y);
+    const V last_c = IfThenElse(pole, MulSub(re, re, Mul(im, im)), MulSub(w, x, Mul(z, y)));
+    const V last_s = IfThenElse(pole, Mul(Add(re, re), im), MulAdd(w, y, Mul(z, x)));
+    const V first_c = MulAdd(w, x, Mul(z, y)), first_s = MulSub(z, x, Mul(w, y));
+    const V scale = Div(k(1.0), IfThenElse(pole, Max(a, b), root));
+    const V inverse = Div(k(1.0), Add(a, b));
+    Powers(k, kLastTurn, Mul(last_c, scale), Mul(last_s, scale), turns);
+    Powers(k, kMiddleTurn, Mul(Sub(a, b), inverse),
+           IfThenZeroElse(pole, Mul(Add(root, root), inverse)), turns);
+    Powers(k, kFirstTurn, IfThenElse(pole, k(1.0), Mul(first_c, scale)),
+           IfThenZeroElse(pole, Mul(first_s, scale)), turns);
+  }
+
+ private:
+  // Below it, sin(beta) is 4e-12 or less.
+  static constexpr double kPoleProduct = 1e-24;
+
+  // To a largest component in [1, 2), by a power of two, which rounds nothing; zero to the identity.
+  template <class K, class V>
+  static GAUNT_LANES void Scale(const K& k, V& x, V& y, V& z, V& w) {
+    const V largest = Max(Max(Abs(x), Abs(y)), Max(Abs(z), Abs(w)));
+    // The exponent bits alone.
+    const V power = And(largest, k(std::numeric_limits<double>::infinity()));
+    const auto zero = Lt(power, k(kSmallest));
+    const V scale = IfThenZeroElse(zero, Div(k(1.0), power));
+    x = Mul(scale, x), y = Mul(scale, y), z = Mul(scale, z);
+    w = IfThenElse(zero, k(1.0), Mul(scale, w));
+  }
+  static constexpr double kSmallest = std::numeric_limits<float>::min();
+
+  // e^(i m angle) from e^(i angle), each power from two of half of it.
+  template <class K, class V, class Slots>
+  GAUNT_LANES void Powers(const K&, int turn, V c, V s, Slots& turns) const {
+    turns(CosineSlot(turn, 1), c);
+    turns(SineSlot(turn, 1), s);
+    for (int m = 2; m < order; ++m) {
+      const V c0 = turns(CosineSlot(turn, m / 2)), s0 = turns(SineSlot(turn, m / 2));
+      if (m % 2 == 0) {
+        turns(CosineSlot(turn, m), MulSub(c0, c0, Mul(s0, s0)));
+        turns(SineSlot(turn, m), Mul(Add(c0, c0), s0));
+      } else {
+        const V c1 = turns(CosineSlot(turn, m / 2 + 1)), s1 = turns(SineSlot(turn, m / 2 + 1));
+        turns(CosineSlot(turn, m), MulSub(c0, c1, Mul(s0, s1)));
+        turns(SineSlot(turn, m), MulAdd(s0, c1, Mul(c0, s1)));
+      }
+    }
+  }
+};
+
+// The turns of sines, after the others have been set: their coefficients are times `sign` beforehand
+// where kSigned.
+template <bool kSigned, class V, class Slots>
+GAUNT_LANES void SetTurnsOfSines(int order, V sign, Slots& turns) {
+  for (int m = 1; m < order; ++m) {
+    V c = turns(CosineSlot(kFirstTurn, m)), s = turns(SineSlot(kFirstTurn, m));
+    if constexpr (kSigned) c = Mul(sign, c), s = Mul(sign, s);
+    turns(CosineSlot(kFirstTurnOfSines, m), c);
+    turns(SineSlot(kFirstTurnOfSines, m), s);
+  }
+}
+
+// Band l of one channel, unrolled.
+template <int l>
+struct RotateBand {
+  template <class K, class Slots, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const Slots& turns, const In& in, const Out& out) const {
+    typename K::template Slots<2 * l + 1> turned, swapped, back, middle;
+    TurnAll<kFirstTurn, kFirstTurnOfSines>(turns, in, turned, Pairs());
+    SwapAll(k, turned, swapped, Rows());
+    TurnAll<kMiddleTurn, kMiddleTurn>(turns, swapped, middle, Pairs());
+    SwapAll(k, middle, back, Rows());
+    TurnAll<kLastTurn, kLastTurn>(turns, back, out, Pairs());
+  }
+
+ private:
+  using Pairs = std::make_integer_sequence<int, l + 1>;
+  using Rows = std::make_integer_sequence<int, 2 * l + 1>;
+
+  // Side by side, not nested: compilers take minutes over the latter.
+  template <int turn, int turn_of_sines, class Slots, class From, class To, int... m>
+  static GAUNT_LANES void TurnAll(const Slots& turns, const From& from, To& to,
+                                  std::integer_sequence<int, m...>) {
+    (TurnPair<turn, turn_of_sines, m>(turns, from, to), ...);
+  }
+
+  template <int turn, int turn_of_sines, int m, class Slots, class From, class To>
+  static GAUNT_LANES void TurnPair(const Slots& turns, const From& from, To& to) {
+    if constexpr (m == 0) {
+      to(l, from(l));
+    } else {
+      const auto even = from(l + m), odd = from(l - m);
+      to(l + m, MulSub(even, turns(CosineSlot(turn, m)),
+                       Mul(odd, turns(SineSlot(turn_of_sines, m)))));
+      to(l - m, MulAdd(even, turns(SineSlot(turn, m)),
+                       Mul(odd, turns(CosineSlot(turn_of_sines, m)))));
+    }
+  }
+
+  template <class K, class From, class To, int... row>
+  static GAUNT_LANES void SwapAll(const K& k, const From& from, To& to,
+                                  std::integer_sequence<int, row...>) {
+    (to(row, SwapRow<(row < l ? l - row : row - l), (row < l ? -1 : 1)>(k, from)), ...);
+  }
+
+  // Coefficient side * m_out.
+  template <int m_out, int side, class K, class From>
+  static GAUNT_LANES typename K::V SwapRow(const K& k, const From& from) {
+    constexpr int kParity = (l + m_out + (side < 0 ? 1 : 0)) % 2;
+    constexpr int kFirst = kParity == 0 && side < 0 ? 2 : kParity;
+    constexpr int kLast = l - (l - kParity) % 2;
+    return SwapSum<m_out, side, kFirst, kLast>(k, from);
+  }
+
+  static constexpr double Entry(int m_out, int m_in) {
+    return kTurn.entry[TurnIndex(l, m_out, m_in)];
+  }
+  static constexpr bool AnyEntry(int m_out, int first, int last) {
+    for (int m_in = first; m_in <= last; m_in += 2) {
+      if (Entry(m_out, m_in) != 0.0) return true;
+    }
+    return false;
+  }
+
+  // Of the coefficients side * m_in, from last down to first by twos.
+  template <int m_out, int side, int first, int last, class K, class From>
+  static GAUNT_LANES typename K::V SwapSum(const K& k, const From& from) {
+    constexpr double kEntry = Entry(m_out, last);
+    if constexpr (kEntry == 0.0) {
+      return SwapSum<m_out, side, first, last - 2>(k, from);
+    } else if constexpr (!AnyEntry(m_out, first, last - 2)) {
+      const auto value = from(l + side * last);
+      if constexpr (kEntry == 1.0) {
+        return value;
+      } else if constexpr (kEntry == -1.0) {
+        return Neg(value);
+      } else {
+        return Mul(k(kEntry), value);
+      }
+    } else {
+      return MulAdd(k(kEntry), from(l + side * last),
+                    SwapSum<m_out, side, first, last - 2>(k, from));
+    }
+  }
+};
+
+// The table of the swap for loops.
+struct FloatTurnTable {
+  float entry[TurnIndex(kMaxOrder, 0, 0)] = {};
+  constexpr FloatTurnTable() {
+    for (int i = 0; i < TurnIndex(kMaxOrder, 0, 0); ++i) {
+      entry[i] = static_cast<float>(kTurn.entry[i]);
+    }
+  }
+};
+inline constexpr FloatTurnTable kFloatTurn;
+
+// Band l of one channel, in loops.
+struct RotateAnyBand {
+  int l;
+
+  template <class K, class Slots, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const Slots& turns, const In& in, const Out& out) const {
+    typename K::template Slots<2 * kMaxOrder - 1> a, b;
+    TurnAll(kFirstTurn, kFirstTurnOfSines, turns, in, a);
+    SwapAll(k, a, b);
+    TurnAll(kMiddleTurn, kMiddleTurn, turns, b, a);
+    SwapAll(k, a, b);
+    TurnAll(kLastTurn, kLastTurn, turns, b, out);
+  }
+
+ private:
+  size_t Plane(int m) const { return static_cast<size_t>(l + m); }
+
+  template <class Slots, class From, class To>
+  GAUNT_LANES void TurnAll(int turn, int turn_of_sines, const Slots& turns, const From& from,
+                           To& to) const {
+    to(Plane(0), from(Plane(0)));
+    for (int m = 1; m <= l; ++m) {
+      const auto even = from(Plane(m)), odd = from(Plane(-m));
+      to(Plane(m), MulSub(even, turns(CosineSlot(turn, m)),
+                          Mul(odd, turns(SineSlot(turn_of_sines, m)))));
+      to(Plane(-m), MulAdd(even, turns(SineSlot(turn, m)),
+                           Mul(odd, turns(CosineSlot(turn_of_sines, m)))));
+    }
+  }
+
+  template <class K, class From, class To>
+  GAUNT_LANES void SwapAll(const K& k, const From& from, To& to) const {
+    for (int m = 0; m <= l; ++m) {
+      const int parity = (l + m) % 2;
+      to(Plane(m), SwapRow(k, from, m, 1, parity));
+      if (m > 0) to(Plane(-m), SwapRow(k, from, m, -1, parity == 0 ? 1 : 2));
+    }
+  }
+
+  template <class K, class From>
+  GAUNT_LANES typename K::V SwapRow(const K& k, const From& from, int m_out, int side,
+                                    int first) const {
+    const float* const row = kFloatTurn.entry + TurnIndex(l, m_out, 0);
+    typename K::V sum = k(0.0);
+    if (first > l) return sum;
+    sum = Mul(k(row[first]), from(Plane(side * first)));
+    for (int m = first + 2; m <= l; m += 2) sum = MulAdd(k(row[m]), from(Plane(side * m)), sum);
+    return sum;
+  }
+};
+
+// Bands that are unrolled.
+inline constexpr int kUnrolledBands = 10;
+
+// One function per band, which all orders share.
+template <class K, class Slots, class In, class Out>
+struct BandFunctions {
+  using Function = void (*)(const K& k, const Slots& turns, const In& in, const Out& out);
+
+  template <int l>
+  static HWY_NOINLINE void Unrolled(const K& k, const Slots& turns, const In& in, const Out& out) {
+    RotateBand<l>()(k, turns, in, out);
+  }
+  static HWY_NOINLINE void Any(int l, const K& k, const Slots& turns, const In& in,
+                               const Out& out) {
+    RotateAnyBand{l}(k, turns, in, out);
+  }
+
+  template <int... l>
+  static constexpr std::array<Function, sizeof...(l)> Make(std::integer_sequence<int, l...>) {
+    return {&Unrolled<l>...};
+  }
+  static constexpr std::array<Function, kUnrolledBands> kUnrolled =
+      Make(std::make_integer_sequence<int, kUnrolledBands>());
+};
+
+// All bands of each channel.
+template <class K, class Slots, class In, class Out>
+GAUNT_LANES void RotateBands(const K& k, int order, size_t channels, const Slots& turns,
+                             const In& in, const Out& out) {
+  using Functions = BandFunctions<K, Slots, In, Out>;
+  for (size_t c = 0; c < channels; ++c) {
+    const size_t first = c * static_cast<size_t>(NumCoefficients(order));
+    for (int l = 0; l < order; ++l) {
+      const In from = in.From(first + static_cast<size_t>(l * l));
+      const Out to = out.From(first + static_cast<size_t>(l * l));
+      if (l < kUnrolledBands) {
+        Functions::kUnrolled[static_cast<size_t>(l)](k, turns, from, to);
+      } else {
+        Functions::Any(l, k, turns, from, to);
+      }
+    }
+  }
+}
+
+struct RotateBandsByQuaternion {
+  int order;
+  size_t channels;
+
+  template <class K, class InQ, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const InQ& quaternion, const In& in,
+                              const Out& out) const {
+    typename K::template Slots<kTurnSlots> turns;
+    TurnsFromQuaternion{order}(k, quaternion, turns);
+    SetTurnsOfSines<false>(order, k(1.0), turns);
+    RotateBands(k, order, channels, turns, in, out);
+  }
+};
+
+struct RotateBandsByMatrix {
+  int order;
+  size_t channels;
+
+  template <class K, class InM, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const InM& matrix, const In& in, const Out& out) const {
+    typename K::template Slots<4> quaternion;
+    const typename K::V sign = QuaternionFromMatrix()(k, matrix, quaternion);
+    typename K::template Slots<kTurnSlots> turns;
+    TurnsFromQuaternion{order}(k, quaternion, turns);
+    SetTurnsOfSines<true>(order, sign, turns);
+    RotateBands(k, order, channels, turns, in, out);
+  }
+};
+
+}  // namespace gaunt::rotate::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GAUNT_ROTATE_BANDS_INL_H_
