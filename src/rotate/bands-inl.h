@@ -9,10 +9,10 @@
 #define GAUNT_ROTATE_BANDS_INL_H_
 #endif
 
-#include <array>
 #include <limits>
 #include <utility>
 
+#include "rotate/each_band-inl.h"
 #include "rotate/matrix-inl.h"
 #include "rotate/rotate.h"
 #include "rotate/turn.h"
@@ -30,19 +30,22 @@ using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 // factors of its own for them.
 enum Turn { kFirstTurn, kFirstTurnOfSines, kMiddleTurn, kLastTurn, kTurns };
 
-// Slots of cos(m angle) and sin(m angle), m = 1 .. kMaxOrder - 1, of each turn.
-constexpr size_t CosineSlot(int turn, int m) {
-  return static_cast<size_t>(2 * ((kMaxOrder - 1) * turn + m - 1));
-}
-constexpr size_t SineSlot(int turn, int m) { return CosineSlot(turn, m) + 1; }
-inline constexpr int kTurnSlots = 2 * kTurns * (kMaxOrder - 1);
+// Planes of cos and sin of the three angles, and of the sign that sines have beforehand.
+enum AnglePlane {
+  kFirstCosine,
+  kFirstSine,
+  kMiddleCosine,
+  kMiddleSine,
+  kLastCosine,
+  kLastSine,
+  kSineSign,
+  kAnglePlanes
+};
 
-// Cosines and sines of m times the three angles, m < order, of a quaternion of any length.
-struct TurnsFromQuaternion {
-  int order;
-
-  template <class K, class In, class Slots>
-  GAUNT_LANES void operator()(const K& k, const In& quaternion, Slots& turns) const {
+// The angles of a quaternion of any length.
+struct AnglesFromQuaternion {
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& quaternion, const Out& angles) const {
     using V = typename K::V;
     V x = quaternion(0), y = quaternion(1), z = quaternion(2), w = quaternion(3);
     Scale(k, x, y, z, w);
@@ -59,14 +62,15 @@ struct TurnsFromQuaternion {
     const V re = IfThenElse(upper, w, x), im = IfThenElse(upper, z, y);
     const V last_c = IfThenElse(pole, MulSub(re, re, Mul(im, im)), MulSub(w, x, Mul(z, y)));
     const V last_s = IfThenElse(pole, Mul(Add(re, re), im), MulAdd(w, y, Mul(z, x)));
-    const V first_c = MulAdd(w, x, Mul(z, y)), first_s = MulSub(z, x, Mul(w, y));
-    const V scale = Div(k(1.0), IfThenElse(pole, Max(a, b), root));
+    const V larger = Max(a, b);
+    const V first_c = IfThenElse(pole, larger, MulAdd(w, x, Mul(z, y)));
+    const V first_s = IfThenZeroElse(pole, MulSub(z, x, Mul(w, y)));
+    const V middle_s = IfThenZeroElse(pole, Add(root, root));
+    const V scale = Div(k(1.0), IfThenElse(pole, larger, root));
     const V inverse = Div(k(1.0), Add(a, b));
-    Powers(k, kLastTurn, Mul(last_c, scale), Mul(last_s, scale), turns);
-    Powers(k, kMiddleTurn, Mul(Sub(a, b), inverse),
-           IfThenZeroElse(pole, Mul(Add(root, root), inverse)), turns);
-    Powers(k, kFirstTurn, IfThenElse(pole, k(1.0), Mul(first_c, scale)),
-           IfThenZeroElse(pole, Mul(first_s, scale)), turns);
+    Put(k, kFirstCosine, first_c, first_s, scale, angles);
+    Put(k, kMiddleCosine, Sub(a, b), middle_s, inverse, angles);
+    Put(k, kLastCosine, last_c, last_s, scale, angles);
   }
 
  private:
@@ -86,34 +90,50 @@ struct TurnsFromQuaternion {
   }
   static constexpr double kSmallest = std::numeric_limits<float>::min();
 
-  // e^(i m angle) from e^(i angle), each power from two of half of it.
-  template <class K, class V, class Slots>
-  GAUNT_LANES void Powers(const K&, int turn, V c, V s, Slots& turns) const {
-    turns(CosineSlot(turn, 1), c);
-    turns(SineSlot(turn, 1), s);
-    for (int m = 2; m < order; ++m) {
-      const V c0 = turns(CosineSlot(turn, m / 2)), s0 = turns(SineSlot(turn, m / 2));
-      if (m % 2 == 0) {
-        turns(CosineSlot(turn, m), MulSub(c0, c0, Mul(s0, s0)));
-        turns(SineSlot(turn, m), Mul(Add(c0, c0), s0));
-      } else {
-        const V c1 = turns(CosineSlot(turn, m / 2 + 1)), s1 = turns(SineSlot(turn, m / 2 + 1));
-        turns(CosineSlot(turn, m), MulSub(c0, c1, Mul(s0, s1)));
-        turns(SineSlot(turn, m), MulAdd(s0, c1, Mul(c0, s1)));
-      }
-    }
+  // To length 1, once more by a step of Newton's: an error of the length grows with each power.
+  template <class K, class V, class Out>
+  static GAUNT_LANES void Put(const K& k, size_t plane, V c, V s, V scale, const Out& angles) {
+    c = Mul(c, scale), s = Mul(s, scale);
+    const V correction = NegMulAdd(k(0.5), MulAdd(c, c, Mul(s, s)), k(1.5));
+    angles(plane, Mul(c, correction));
+    angles(plane + 1, Mul(s, correction));
   }
 };
 
-// The turns of sines, after the others have been set: their coefficients are times `sign` beforehand
-// where kSigned.
-template <bool kSigned, class V, class Slots>
-GAUNT_LANES void SetTurnsOfSines(int order, V sign, Slots& turns) {
-  for (int m = 1; m < order; ++m) {
-    V c = turns(CosineSlot(kFirstTurn, m)), s = turns(SineSlot(kFirstTurn, m));
-    if constexpr (kSigned) c = Mul(sign, c), s = Mul(sign, s);
-    turns(CosineSlot(kFirstTurnOfSines, m), c);
-    turns(SineSlot(kFirstTurnOfSines, m), s);
+// The angles of an orthonormal matrix, after a mirror of y where its determinant is negative.
+struct AnglesFromMatrix {
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& matrix, const Out& angles) const {
+    typename K::template Slots<4> quaternion;
+    angles(kSineSign, QuaternionFromMatrix()(k, matrix, quaternion));
+    AnglesFromQuaternion()(k, quaternion, angles);
+  }
+};
+
+// Slots of cos(m angle) and sin(m angle), m = 1 .. kMaxOrder - 1, of each turn.
+constexpr size_t CosineSlot(int turn, int m) {
+  return static_cast<size_t>(2 * ((kMaxOrder - 1) * turn + m - 1));
+}
+constexpr size_t SineSlot(int turn, int m) { return CosineSlot(turn, m) + 1; }
+inline constexpr int kTurnSlots = 2 * kTurns * (kMaxOrder - 1);
+
+// e^(i m angle) for m < n, each from two of half of m.
+template <int n, class V, class Slots>
+GAUNT_LANES void Powers(int turn, V c, V s, Slots& turns) {
+  if constexpr (n > 1) {
+    turns(CosineSlot(turn, 1), c);
+    turns(SineSlot(turn, 1), s);
+  }
+  for (int m = 2; m < n; ++m) {
+    const V c0 = turns(CosineSlot(turn, m / 2)), s0 = turns(SineSlot(turn, m / 2));
+    if (m % 2 == 0) {
+      turns(CosineSlot(turn, m), MulSub(c0, c0, Mul(s0, s0)));
+      turns(SineSlot(turn, m), Mul(Add(c0, c0), s0));
+    } else {
+      const V c1 = turns(CosineSlot(turn, m / 2 + 1)), s1 = turns(SineSlot(turn, m / 2 + 1));
+      turns(CosineSlot(turn, m), MulSub(c0, c1, Mul(s0, s1)));
+      turns(SineSlot(turn, m), MulAdd(s0, c1, Mul(c0, s1)));
+    }
   }
 }
 
@@ -201,138 +221,28 @@ struct RotateBand {
   }
 };
 
-// The table of the swap for loops.
-struct FloatTurnTable {
-  float entry[TurnIndex(kMaxOrder, 0, 0)] = {};
-  constexpr FloatTurnTable() {
-    for (int i = 0; i < TurnIndex(kMaxOrder, 0, 0); ++i) {
-      entry[i] = static_cast<float>(kTurn.entry[i]);
-    }
-  }
-};
-inline constexpr FloatTurnTable kFloatTurn;
+// All bands of each channel, from the angles. Without kMirrors the plane of the sign is not read.
+template <int n, bool kMirrors>
+struct RotateBands {
+  size_t channels;
 
-// Band l of one channel, in loops.
-struct RotateAnyBand {
-  int l;
-
-  template <class K, class Slots, class In, class Out>
-  GAUNT_LANES void operator()(const K& k, const Slots& turns, const In& in, const Out& out) const {
-    typename K::template Slots<2 * kMaxOrder - 1> a, b;
-    TurnAll(kFirstTurn, kFirstTurnOfSines, turns, in, a);
-    SwapAll(k, a, b);
-    TurnAll(kMiddleTurn, kMiddleTurn, turns, b, a);
-    SwapAll(k, a, b);
-    TurnAll(kLastTurn, kLastTurn, turns, b, out);
-  }
-
- private:
-  size_t Plane(int m) const { return static_cast<size_t>(l + m); }
-
-  template <class Slots, class From, class To>
-  GAUNT_LANES void TurnAll(int turn, int turn_of_sines, const Slots& turns, const From& from,
-                           To& to) const {
-    to(Plane(0), from(Plane(0)));
-    for (int m = 1; m <= l; ++m) {
-      const auto even = from(Plane(m)), odd = from(Plane(-m));
-      to(Plane(m), MulSub(even, turns(CosineSlot(turn, m)),
-                          Mul(odd, turns(SineSlot(turn_of_sines, m)))));
-      to(Plane(-m), MulAdd(even, turns(SineSlot(turn, m)),
-                           Mul(odd, turns(CosineSlot(turn_of_sines, m)))));
-    }
-  }
-
-  template <class K, class From, class To>
-  GAUNT_LANES void SwapAll(const K& k, const From& from, To& to) const {
-    for (int m = 0; m <= l; ++m) {
-      const int parity = (l + m) % 2;
-      to(Plane(m), SwapRow(k, from, m, 1, parity));
-      if (m > 0) to(Plane(-m), SwapRow(k, from, m, -1, parity == 0 ? 1 : 2));
-    }
-  }
-
-  template <class K, class From>
-  GAUNT_LANES typename K::V SwapRow(const K& k, const From& from, int m_out, int side,
-                                    int first) const {
-    const float* const row = kFloatTurn.entry + TurnIndex(l, m_out, 0);
-    typename K::V sum = k(0.0);
-    if (first > l) return sum;
-    sum = Mul(k(row[first]), from(Plane(side * first)));
-    for (int m = first + 2; m <= l; m += 2) sum = MulAdd(k(row[m]), from(Plane(side * m)), sum);
-    return sum;
-  }
-};
-
-// Bands that are unrolled.
-inline constexpr int kUnrolledBands = 10;
-
-// One function per band, which all orders share.
-template <class K, class Slots, class In, class Out>
-struct BandFunctions {
-  using Function = void (*)(const K& k, const Slots& turns, const In& in, const Out& out);
-
-  template <int l>
-  static HWY_NOINLINE void Unrolled(const K& k, const Slots& turns, const In& in, const Out& out) {
-    RotateBand<l>()(k, turns, in, out);
-  }
-  static HWY_NOINLINE void Any(int l, const K& k, const Slots& turns, const In& in,
-                               const Out& out) {
-    RotateAnyBand{l}(k, turns, in, out);
-  }
-
-  template <int... l>
-  static constexpr std::array<Function, sizeof...(l)> Make(std::integer_sequence<int, l...>) {
-    return {&Unrolled<l>...};
-  }
-  static constexpr std::array<Function, kUnrolledBands> kUnrolled =
-      Make(std::make_integer_sequence<int, kUnrolledBands>());
-};
-
-// All bands of each channel.
-template <class K, class Slots, class In, class Out>
-GAUNT_LANES void RotateBands(const K& k, int order, size_t channels, const Slots& turns,
-                             const In& in, const Out& out) {
-  using Functions = BandFunctions<K, Slots, In, Out>;
-  for (size_t c = 0; c < channels; ++c) {
-    const size_t first = c * static_cast<size_t>(NumCoefficients(order));
-    for (int l = 0; l < order; ++l) {
-      const In from = in.From(first + static_cast<size_t>(l * l));
-      const Out to = out.From(first + static_cast<size_t>(l * l));
-      if (l < kUnrolledBands) {
-        Functions::kUnrolled[static_cast<size_t>(l)](k, turns, from, to);
+  template <class K, class InA, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const InA& angles, const In& in, const Out& out) const {
+    typename K::template Slots<kTurnSlots> turns;
+    Powers<n>(kFirstTurn, angles(kFirstCosine), angles(kFirstSine), turns);
+    Powers<n>(kMiddleTurn, angles(kMiddleCosine), angles(kMiddleSine), turns);
+    Powers<n>(kLastTurn, angles(kLastCosine), angles(kLastSine), turns);
+    for (int m = 1; m < n; ++m) {
+      const auto c = turns(CosineSlot(kFirstTurn, m)), s = turns(SineSlot(kFirstTurn, m));
+      if constexpr (kMirrors) {
+        turns(CosineSlot(kFirstTurnOfSines, m), Mul(angles(kSineSign), c));
+        turns(SineSlot(kFirstTurnOfSines, m), Mul(angles(kSineSign), s));
       } else {
-        Functions::Any(l, k, turns, from, to);
+        turns(CosineSlot(kFirstTurnOfSines, m), c);
+        turns(SineSlot(kFirstTurnOfSines, m), s);
       }
     }
-  }
-}
-
-struct RotateBandsByQuaternion {
-  int order;
-  size_t channels;
-
-  template <class K, class InQ, class In, class Out>
-  GAUNT_LANES void operator()(const K& k, const InQ& quaternion, const In& in,
-                              const Out& out) const {
-    typename K::template Slots<kTurnSlots> turns;
-    TurnsFromQuaternion{order}(k, quaternion, turns);
-    SetTurnsOfSines<false>(order, k(1.0), turns);
-    RotateBands(k, order, channels, turns, in, out);
-  }
-};
-
-struct RotateBandsByMatrix {
-  int order;
-  size_t channels;
-
-  template <class K, class InM, class In, class Out>
-  GAUNT_LANES void operator()(const K& k, const InM& matrix, const In& in, const Out& out) const {
-    typename K::template Slots<4> quaternion;
-    const typename K::V sign = QuaternionFromMatrix()(k, matrix, quaternion);
-    typename K::template Slots<kTurnSlots> turns;
-    TurnsFromQuaternion{order}(k, quaternion, turns);
-    SetTurnsOfSines<true>(order, sign, turns);
-    RotateBands(k, order, channels, turns, in, out);
+    ForEachBand<n, RotateBand>(k, channels, turns, in, out);
   }
 };
 

@@ -7,9 +7,9 @@
 #define GAUNT_ROTATE_PLAN_INL_H_
 #endif
 
-#include <array>
 #include <utility>
 
+#include "rotate/each_band-inl.h"
 #include "rotate/plan.h"
 #include "simd/lanes-inl.h"
 #include "simd/order.h"
@@ -24,16 +24,37 @@ constexpr const float* RowOf(int l, const float* matrices, int m) {
   return m >= 0 ? matrices + m * (l + 1) : matrices + (l + 1) * (l + 1) - (m + 1) * l - 1;
 }
 
-// Band l of one channel, unrolled. Slots hold the turned cosines from l up, the sines below.
+// Offsets of the planes p and q of a turn from the middle of a band, by m.
+struct PairOffsets {
+  ptrdiff_t p[kMaxOrder], q[kMaxOrder];
+
+  template <class Planes>
+  GAUNT_LANES PairOffsets(int order, const PlannedTurn& turn, const Planes& planes) {
+    for (int m = 1; m < order; ++m) {
+      p[m] = planes.Offset(turn.side[m] * m);
+      q[m] = -p[m];
+    }
+  }
+};
+
+// A plan for the strides of a batch.
+struct PlacedPlan {
+  const PlannedTurn& first;
+  const PlannedTurn& last;
+  const float* matrices;
+  PairOffsets in, out;
+};
+
+// Band l of one channel, unrolled. Slots hold turned cosines from l up, the sines below.
 template <int l>
 struct ApplyBand {
   template <class K, class In, class Out>
-  GAUNT_LANES void operator()(const K& k, const Plan& plan, const In& in, const Out& out) const {
+  GAUNT_LANES void operator()(const K& k, const PlacedPlan& placed, const In& in,
+                              const Out& out) const {
     typename K::template Slots<2 * l + 1> turned, mixed;
-    const float* const matrices = plan.matrices + MatricesIndex(l);
-    First(k, plan.first, in, turned, Pairs());
-    Mix(k, matrices, turned, mixed, Rows());
-    Last(k, plan.last, mixed, out, Pairs());
+    First(k, placed.first.tangent, placed.in, in.From(l), turned, Pairs());
+    Mix(k, placed.matrices + MatricesIndex(l), turned, mixed, Rows());
+    Last(k, placed.last.tangent, placed.out, mixed, out.From(l), Pairs());
   }
 
  private:
@@ -42,14 +63,15 @@ struct ApplyBand {
 
   // Side by side, not nested: compilers take minutes over the latter.
   template <class K, class In, class To, int... m>
-  static GAUNT_LANES void First(const K& k, const PlannedTurn& turn, const In& in, To& to,
-                                std::integer_sequence<int, m...>) {
-    (FirstPair<m>(k, turn, in, to), ...);
+  static GAUNT_LANES void First(const K& k, const float* tangents, const PairOffsets& offsets,
+                                const In& in, To& to, std::integer_sequence<int, m...>) {
+    (FirstPair<m>(k, tangents, offsets, in, to), ...);
   }
   template <class K, class From, class Out, int... m>
-  static GAUNT_LANES void Last(const K& k, const PlannedTurn& turn, const From& from,
-                               const Out& out, std::integer_sequence<int, m...>) {
-    (LastPair<m>(k, turn, from, out), ...);
+  static GAUNT_LANES void Last(const K& k, const float* tangents, const PairOffsets& offsets,
+                               const From& from, const Out& out,
+                               std::integer_sequence<int, m...>) {
+    (LastPair<m>(k, tangents, offsets, from, out), ...);
   }
   template <class K, class From, class To, int... row>
   static GAUNT_LANES void Mix(const K& k, const float* matrices, const From& from, To& to,
@@ -58,30 +80,27 @@ struct ApplyBand {
   }
 
   template <int m, class K, class In, class To>
-  static GAUNT_LANES void FirstPair(const K& k, const PlannedTurn& turn, const In& in, To& to) {
+  static GAUNT_LANES void FirstPair(const K& k, const float* tangents, const PairOffsets& offsets,
+                                    const In& in, To& to) {
     if constexpr (m == 0) {
-      to(l, in(l));
+      to(l, in(0));
     } else {
-      const auto p = in(Plane(turn, m)), q = in(Plane(turn, -m)), tangent = k(turn.tangent[m]);
+      const auto p = in.At(offsets.p[m]), q = in.At(offsets.q[m]), tangent = k(tangents[m]);
       to(l + m, NegMulAdd(tangent, q, p));
       to(l - m, MulAdd(tangent, p, q));
     }
   }
 
   template <int m, class K, class From, class Out>
-  static GAUNT_LANES void LastPair(const K& k, const PlannedTurn& turn, const From& from,
-                                   const Out& out) {
+  static GAUNT_LANES void LastPair(const K& k, const float* tangents, const PairOffsets& offsets,
+                                   const From& from, const Out& out) {
     if constexpr (m == 0) {
-      out(l, from(l));
+      out(0, from(l));
     } else {
-      const auto p = from(l + m), q = from(l - m), tangent = k(turn.tangent[m]);
-      out(Plane(turn, m), NegMulAdd(tangent, q, p));
-      out(Plane(turn, -m), MulAdd(tangent, p, q));
+      const auto p = from(l + m), q = from(l - m), tangent = k(tangents[m]);
+      out.At(offsets.p[m], NegMulAdd(tangent, q, p));
+      out.At(offsets.q[m], MulAdd(tangent, p, q));
     }
-  }
-
-  static GAUNT_LANES size_t Plane(const PlannedTurn& turn, int m) {
-    return static_cast<size_t>(l + turn.side[m < 0 ? -m : m] * m);
   }
 
   template <int row, class K, class From, class To>
@@ -101,90 +120,24 @@ struct ApplyBand {
   }
 };
 
-// Band l of one channel, in loops.
-struct ApplyAnyBand {
-  int l;
-
-  template <class K, class In, class Out>
-  GAUNT_LANES void operator()(const K& k, const Plan& plan, const In& in, const Out& out) const {
-    typename K::template Slots<2 * kMaxOrder - 1> turned, mixed;
-    turned(Index(0), in(Index(0)));
-    for (int m = 1; m <= l; ++m) {
-      const int side = plan.first.side[m];
-      const auto p = in(Index(side * m)), q = in(Index(-side * m)), tangent = k(plan.first.tangent[m]);
-      turned(Index(m), NegMulAdd(tangent, q, p));
-      turned(Index(-m), MulAdd(tangent, p, q));
-    }
-    const float* const matrices = plan.matrices + MatricesIndex(l);
-    for (int m = -l; m <= l; ++m) {
-      mixed(Index(m), Sum(k, RowOf(l, matrices, m), m < 0 ? -1 : 1, turned));
-    }
-    out(Index(0), mixed(Index(0)));
-    for (int m = 1; m <= l; ++m) {
-      const int side = plan.last.side[m];
-      const auto p = mixed(Index(m)), q = mixed(Index(-m)), tangent = k(plan.last.tangent[m]);
-      out(Index(side * m), NegMulAdd(tangent, q, p));
-      out(Index(-side * m), MulAdd(tangent, p, q));
-    }
-  }
-
- private:
-  size_t Index(int m) const { return static_cast<size_t>(l + m); }
-
-  template <class K, class From>
-  GAUNT_LANES typename K::V Sum(const K& k, const float* row, int side, const From& from) const {
-    int m = side < 0 ? 1 : 0;
-    auto sum = Mul(k(row[m]), from(Index(side * m)));
-    for (++m; m <= l; ++m) sum = MulAdd(k(row[m]), from(Index(side * m)), sum);
-    return sum;
-  }
-};
-
-// Bands that are unrolled.
-inline constexpr int kPlannedUnrolledBands = 10;
-
-// One function per band, which all orders share.
-template <class K, class In, class Out>
-struct ApplyFunctions {
-  using Function = void (*)(const K& k, const Plan& plan, const In& in, const Out& out);
-
-  template <int l>
-  static HWY_NOINLINE void Unrolled(const K& k, const Plan& plan, const In& in, const Out& out) {
-    ApplyBand<l>()(k, plan, in, out);
-  }
-  static HWY_NOINLINE void Any(int l, const K& k, const Plan& plan, const In& in, const Out& out) {
-    ApplyAnyBand{l}(k, plan, in, out);
-  }
-
-  template <int... l>
-  static constexpr std::array<Function, sizeof...(l)> Make(std::integer_sequence<int, l...>) {
-    return {&Unrolled<l>...};
-  }
-  static constexpr std::array<Function, kPlannedUnrolledBands> kUnrolled =
-      Make(std::make_integer_sequence<int, kPlannedUnrolledBands>());
-};
-
-struct ApplyPlan {
-  int order;
-  size_t channels;
-  const Plan& plan;
+// All bands of each channel. The turns are copies, which no store to a plane can change.
+template <int n>
+class ApplyPlan {
+ public:
+  ApplyPlan(const Plan& plan, size_t channels)
+      : first_(plan.first), last_(plan.last), matrices_(plan.matrices), channels_(channels) {}
 
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
-    using Functions = ApplyFunctions<K, In, Out>;
-    for (size_t c = 0; c < channels; ++c) {
-      const size_t first = c * static_cast<size_t>(NumCoefficients(order));
-      for (int l = 0; l < order; ++l) {
-        const In from = in.From(first + static_cast<size_t>(l * l));
-        const Out to = out.From(first + static_cast<size_t>(l * l));
-        if (l < kPlannedUnrolledBands) {
-          Functions::kUnrolled[static_cast<size_t>(l)](k, plan, from, to);
-        } else {
-          Functions::Any(l, k, plan, from, to);
-        }
-      }
-    }
+    const PlacedPlan placed = {first_, last_, matrices_, PairOffsets(n, first_, in),
+                               PairOffsets(n, last_, out)};
+    ForEachBand<n, ApplyBand>(k, channels_, placed, in, out);
   }
+
+ private:
+  PlannedTurn first_, last_;
+  const float* matrices_;
+  size_t channels_;
 };
 
 }  // namespace gaunt::rotate::HWY_NAMESPACE

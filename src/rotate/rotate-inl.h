@@ -18,24 +18,6 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 // Up to this order tensors are faster.
 inline constexpr int kMaxTensorOrder = 3;
 
-template <int n>
-auto RotateByQuaternion(size_t channels) {
-  if constexpr (n <= kMaxTensorOrder) {
-    return RotateTensorsByQuaternion<n>{channels};
-  } else {
-    return RotateBandsByQuaternion{n, channels};
-  }
-}
-
-template <int n>
-auto RotateByMatrix(size_t channels) {
-  if constexpr (n <= kMaxTensorOrder) {
-    return RotateTensorsByMatrix<n>{channels};
-  } else {
-    return RotateBandsByMatrix{n, channels};
-  }
-}
-
 }  // namespace gaunt::rotate::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

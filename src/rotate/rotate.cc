@@ -53,7 +53,7 @@ template <int n>
 void PlanBatch(const Plan& plan, size_t channels, size_t count, const simd::InView& in,
                const simd::OutView& out) {
   ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
-    ForEachBatch(count, ApplyPlan{n, now, plan}, from, to);
+    ForEachBatch(count, ApplyPlan<n>(plan, now), from, to);
   });
 }
 
@@ -72,7 +72,12 @@ void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaterni
     return PlanBatch<n>(plan, channels, count, in, out);
   }
   ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
-    ForEachBatch(count, RotateByQuaternion<n>(now), In<4>(quaternions), from, to);
+    if constexpr (n <= kMaxTensorOrder) {
+      ForEachBatch(count, RotateTensorsByQuaternion<n>{now}, In<4>(quaternions), from, to);
+    } else {
+      ForEachStaged<kAnglePlanes>(count, AnglesFromQuaternion(), In<4>(quaternions),
+                                  RotateBands<n, false>{now}, from, to);
+    }
   });
 }
 
@@ -85,7 +90,12 @@ void MatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
     return PlanBatch<n>(plan, channels, count, in, out);
   }
   ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
-    ForEachBatch(count, RotateByMatrix<n>(now), In<9>(matrices), from, to);
+    if constexpr (n <= kMaxTensorOrder) {
+      ForEachBatch(count, RotateTensorsByMatrix<n>{now}, In<9>(matrices), from, to);
+    } else {
+      ForEachStaged<kAnglePlanes>(count, AnglesFromMatrix(), In<9>(matrices),
+                                  RotateBands<n, true>{now}, from, to);
+    }
   });
 }
 

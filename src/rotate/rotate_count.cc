@@ -10,21 +10,39 @@ void AppendOperations(OperationRows& rows);
 
 namespace {
 
+namespace kernels = HWY_NAMESPACE;
+constexpr CountPlanes kPlanes;
+
+template <int n>
+Operations ByQuaternion(size_t channels) {
+  if constexpr (n <= kernels::kMaxTensorOrder) {
+    return CountKernel(kernels::RotateTensorsByQuaternion<n>{channels}, kPlanes, kPlanes, kPlanes);
+  } else {
+    return CountKernel(kernels::AnglesFromQuaternion(), kPlanes, kPlanes) +
+           CountKernel(kernels::RotateBands<n, false>{channels}, kPlanes, kPlanes, kPlanes);
+  }
+}
+
+template <int n>
+Operations ByMatrix(size_t channels) {
+  if constexpr (n <= kernels::kMaxTensorOrder) {
+    return CountKernel(kernels::RotateTensorsByMatrix<n>{channels}, kPlanes, kPlanes, kPlanes);
+  } else {
+    return CountKernel(kernels::AnglesFromMatrix(), kPlanes, kPlanes) +
+           CountKernel(kernels::RotateBands<n, true>{channels}, kPlanes, kPlanes, kPlanes);
+  }
+}
+
 template <int n>
 void Append(OperationRows& rows) {
-  namespace kernels = HWY_NAMESPACE;
-  const CountPlanes planes;
-  const Plan plan = {};
+  const std::string order = std::to_string(n);
   for (const size_t channels : {1, 3}) {
     const std::string variant = channels == 1 ? "mono" : "rgb";
-    const std::string order = std::to_string(n);
-    rows.push_back({"rotate", order, variant,
-                    CountKernel(kernels::RotateByQuaternion<n>(channels), planes, planes, planes)});
-    rows.push_back({"rotate_matrix", order, variant,
-                    CountKernel(kernels::RotateByMatrix<n>(channels), planes, planes, planes)});
+    rows.push_back({"rotate", order, variant, ByQuaternion<n>(channels)});
+    rows.push_back({"rotate_matrix", order, variant, ByMatrix<n>(channels)});
     // The plan is made once per call.
     rows.push_back({"rotate_broadcast", order, variant,
-                    CountKernel(kernels::ApplyPlan{n, channels, plan}, planes, planes)});
+                    CountKernel(kernels::ApplyPlan<n>({}, channels), kPlanes, kPlanes)});
   }
   if constexpr (n < kMaxOrder) Append<n + 1>(rows);
 }

@@ -243,6 +243,38 @@ void ForEachBatch(size_t count, const Kernel& kernel, Sides&&... sides) {
   RunBatch<K>(count, kernel, AsSide(sides)...);
 }
 
+// Items whose first stage is kept until the second.
+inline constexpr size_t kStagedItems = 8 * kTileItems;
+
+template <size_t kMiddle, class First, class Second, class... Sides>
+HWY_NOINLINE void RunStaged(size_t count, const First& first, const Second& second, InSide& input,
+                            Sides&... sides) {
+  HWY_ALIGN float middle[kMiddle * kStagedItems];
+  const size_t lanes = hn::Lanes(LaneTag());
+  (sides.Expect(count), ...);
+  const size_t most = std::min(
+      {kStagedItems, input.direct() ? kStagedItems : input.items(),
+       (sides.direct() ? kStagedItems : sides.items())...});
+  for (size_t done = 0, n; done < count; done += n) {
+    const size_t left = count - done;
+    n = std::min(most, left >= lanes ? left / lanes * lanes : left);
+    const size_t groups = (n + lanes - 1) / lanes;
+    RunGroups<Lanes>(first, groups, input.Begin(done, n), OutCursor::Tiles(middle, kMiddle));
+    RunGroups<Lanes>(second, groups, InCursor::Tiles(middle, kMiddle), sides.Begin(done, n)...);
+    (sides.End(done, n), ...);
+  }
+  (sides.Finish(), ...);
+}
+
+// Two kernels one after the other: first(k, input, middle), then second(k, middle, planes...). A
+// chain of operations that wait for each other, such as roots and divisions, runs side by side for
+// several groups of lanes where it has a short loop of its own.
+template <size_t kMiddle, class First, class Input, class Second, class... Sides>
+void ForEachStaged(size_t count, const First& first, Input&& input, const Second& second,
+                   Sides&&... sides) {
+  RunStaged<kMiddle>(count, first, second, AsSide(input), AsSide(sides)...);
+}
+
 #if GAUNT_WIDE_TRANSPOSES
 
 template <size_t kIn, size_t kOut, class Kernel>

@@ -66,6 +66,9 @@ struct CountPlanes {
   CountPlanes From(size_t) const { return {}; }
   Counted operator()(size_t) const { return ++CountedOperations().load, Counted(); }
   void operator()(size_t, Counted) const { ++CountedOperations().store; }
+  ptrdiff_t Offset(ptrdiff_t) const { return 0; }
+  Counted At(ptrdiff_t) const { return ++CountedOperations().load, Counted(); }
+  void At(ptrdiff_t, Counted) const { ++CountedOperations().store; }
 };
 
 struct CountLanes {

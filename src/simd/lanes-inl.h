@@ -61,8 +61,12 @@ struct PlanesIn {
     return {data + static_cast<ptrdiff_t>(p) * stride, stride};
   }
   GAUNT_LANES hn::Vec<LaneTag> operator()(size_t p) const {
-    return hn::LoadU(LaneTag(),
-                     reinterpret_cast<const float*>(data + static_cast<ptrdiff_t>(p) * stride));
+    return At(static_cast<ptrdiff_t>(p) * stride);
+  }
+  // For planes that are known at run time: the offset once, and often At it.
+  GAUNT_LANES ptrdiff_t Offset(ptrdiff_t p) const { return p * stride; }
+  GAUNT_LANES hn::Vec<LaneTag> At(ptrdiff_t offset) const {
+    return hn::LoadU(LaneTag(), reinterpret_cast<const float*>(data + offset));
   }
 };
 
@@ -87,7 +91,11 @@ struct PlanesOut {
     return {data + static_cast<ptrdiff_t>(p) * stride, stride};
   }
   GAUNT_LANES void operator()(size_t p, hn::Vec<LaneTag> v) const {
-    hn::StoreU(v, LaneTag(), reinterpret_cast<float*>(data + static_cast<ptrdiff_t>(p) * stride));
+    At(static_cast<ptrdiff_t>(p) * stride, v);
+  }
+  GAUNT_LANES ptrdiff_t Offset(ptrdiff_t p) const { return p * stride; }
+  GAUNT_LANES void At(ptrdiff_t offset, hn::Vec<LaneTag> v) const {
+    hn::StoreU(v, LaneTag(), reinterpret_cast<float*>(data + offset));
   }
 };
 
