@@ -117,14 +117,12 @@ constexpr size_t CosineSlot(int turn, int m) {
 constexpr size_t SineSlot(int turn, int m) { return CosineSlot(turn, m) + 1; }
 inline constexpr int kTurnSlots = 2 * kTurns * (kMaxOrder - 1);
 
-// e^(i m angle) for m < n, each from two of half of m.
-template <int n, class V, class Slots>
-GAUNT_LANES void Powers(int turn, V c, V s, Slots& turns) {
-  if constexpr (n > 1) {
-    turns(CosineSlot(turn, 1), c);
-    turns(SineSlot(turn, 1), s);
-  }
-  for (int m = 2; m < n; ++m) {
+// e^(i m angle) for m < order, at least 2, each from two of half of m.
+template <class V, class Slots>
+GAUNT_LANES void Powers(int order, int turn, V c, V s, Slots& turns) {
+  turns(CosineSlot(turn, 1), c);
+  turns(SineSlot(turn, 1), s);
+  for (int m = 2; m < order; ++m) {
     const V c0 = turns(CosineSlot(turn, m / 2)), s0 = turns(SineSlot(turn, m / 2));
     if (m % 2 == 0) {
       turns(CosineSlot(turn, m), MulSub(c0, c0, Mul(s0, s0)));
@@ -221,18 +219,21 @@ struct RotateBand {
   }
 };
 
-// All bands of each channel, from the angles. Without kMirrors the plane of the sign is not read.
+// All bands of each channel, from the angles; n is the order or kAnyOrder. Without kMirrors the plane
+// of the sign is not read.
 template <int n, bool kMirrors>
-struct RotateBands {
-  size_t channels;
+class RotateBands {
+ public:
+  RotateBands(int order, size_t channels) : order_(order), channels_(channels) {}
 
   template <class K, class InA, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const InA& angles, const In& in, const Out& out) const {
+    const int order = n != kAnyOrder ? n : order_;
     typename K::template Slots<kTurnSlots> turns;
-    Powers<n>(kFirstTurn, angles(kFirstCosine), angles(kFirstSine), turns);
-    Powers<n>(kMiddleTurn, angles(kMiddleCosine), angles(kMiddleSine), turns);
-    Powers<n>(kLastTurn, angles(kLastCosine), angles(kLastSine), turns);
-    for (int m = 1; m < n; ++m) {
+    Powers(order, kFirstTurn, angles(kFirstCosine), angles(kFirstSine), turns);
+    Powers(order, kMiddleTurn, angles(kMiddleCosine), angles(kMiddleSine), turns);
+    Powers(order, kLastTurn, angles(kLastCosine), angles(kLastSine), turns);
+    for (int m = 1; m < order; ++m) {
       const auto c = turns(CosineSlot(kFirstTurn, m)), s = turns(SineSlot(kFirstTurn, m));
       if constexpr (kMirrors) {
         turns(CosineSlot(kFirstTurnOfSines, m), Mul(angles(kSineSign), c));
@@ -242,8 +243,12 @@ struct RotateBands {
         turns(SineSlot(kFirstTurnOfSines, m), s);
       }
     }
-    ForEachBand<n, RotateBand>(k, channels, turns, in, out);
+    ForEachBand<n, RotateBand>(k, order, channels_, turns, in, out);
   }
+
+ private:
+  int order_;
+  size_t channels_;
 };
 
 }  // namespace gaunt::rotate::HWY_NAMESPACE

@@ -7,8 +7,10 @@
 #define GAUNT_ROTATE_EACH_BAND_INL_H_
 #endif
 
+#include <array>
 #include <utility>
 
+#include "rotate/rotate.h"
 #include "simd/lanes-inl.h"
 #include "simd/order.h"
 
@@ -17,32 +19,57 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// Orders whose bands are inlined into one kernel. Above, bands are functions that all orders share.
+// Orders that have a kernel of their own, with all bands inlined. Those above share one, where bands
+// are functions.
 inline constexpr int kMaxInlinedOrder = 6;
+inline constexpr int kAnyOrder = 0;
 
-template <class Band, class K, class Context, class In, class Out>
-HWY_NOINLINE void CallBand(const K& k, const Context& context, const In& in, const Out& out) {
-  Band()(k, context, in, out);
-}
-
-template <int n, template <int> class Band, class K, class Context, class In, class Out, int... l>
-GAUNT_LANES void ForBands(const K& k, const Context& context, const In& in, const Out& out,
-                          std::integer_sequence<int, l...>) {
-  if constexpr (n <= kMaxInlinedOrder) {
-    (Band<l>()(k, context, in.From(l * l), out.From(l * l)), ...);
-  } else {
-    (CallBand<Band<l>>(k, context, in.From(l * l), out.From(l * l)), ...);
+template <template <int> class Band, class K, class Context, class In, class Out>
+class BandFunctions {
+ public:
+  static void Call(int l, const K& k, const Context& context, const In& in, const Out& out) {
+    kFunctions[static_cast<size_t>(l)](k, context, in, out);
   }
+
+ private:
+  using Function = void (*)(const K& k, const Context& context, const In& in, const Out& out);
+
+  template <int l>
+  static HWY_NOINLINE void Run(const K& k, const Context& context, const In& in, const Out& out) {
+    Band<l>()(k, context, in, out);
+  }
+  template <int... l>
+  static constexpr std::array<Function, kMaxOrder> Make(std::integer_sequence<int, l...>) {
+    return {&Run<l>...};
+  }
+  static constexpr std::array<Function, kMaxOrder> kFunctions =
+      Make(std::make_integer_sequence<int, kMaxOrder>());
+};
+
+template <template <int> class Band, class K, class Context, class In, class Out, int... l>
+GAUNT_LANES void InlineBands(const K& k, const Context& context, const In& in, const Out& out,
+                             std::integer_sequence<int, l...>) {
+  (Band<l>()(k, context, in.From(l * l), out.From(l * l)), ...);
 }
 
-// Band<l>()(k, context, in, out) for each band l < n of each channel, whose planes begin at m = -l.
+// Band<l>()(k, context, in, out) for each band l < order of each channel, whose planes begin at m =
+// -l; n is the order or kAnyOrder.
 template <int n, template <int> class Band, class K, class Context, class In, class Out>
-GAUNT_LANES void ForEachBand(const K& k, size_t channels, const Context& context, const In& in,
-                             const Out& out) {
+GAUNT_LANES void ForEachBand(const K& k, int order, size_t channels, const Context& context,
+                             const In& in, const Out& out) {
   for (size_t c = 0; c < channels; ++c) {
-    const size_t first = c * NumCoefficients(n);
-    ForBands<n, Band>(k, context, in.From(first), out.From(first),
-                      std::make_integer_sequence<int, n>());
+    const size_t first = c * static_cast<size_t>(NumCoefficients(order));
+    const auto from = in.From(first);
+    const auto to = out.From(first);
+    if constexpr (n != kAnyOrder) {
+      InlineBands<Band>(k, context, from, to, std::make_integer_sequence<int, n>());
+    } else {
+      for (int l = 0; l < order; ++l) {
+        const size_t band = static_cast<size_t>(l * l);
+        BandFunctions<Band, K, Context, In, Out>::Call(l, k, context, from.From(band),
+                                                       to.From(band));
+      }
+    }
   }
 }
 

@@ -120,23 +120,30 @@ struct ApplyBand {
   }
 };
 
-// All bands of each channel. The turns are copies, which no store to a plane can change.
+// All bands of each channel; n is the order or kAnyOrder. The turns are copies, which no store to a
+// plane can change.
 template <int n>
 class ApplyPlan {
  public:
-  ApplyPlan(const Plan& plan, size_t channels)
-      : first_(plan.first), last_(plan.last), matrices_(plan.matrices), channels_(channels) {}
+  ApplyPlan(const Plan& plan, int order, size_t channels)
+      : first_(plan.first),
+        last_(plan.last),
+        matrices_(plan.matrices),
+        order_(order),
+        channels_(channels) {}
 
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
-    const PlacedPlan placed = {first_, last_, matrices_, PairOffsets(n, first_, in),
-                               PairOffsets(n, last_, out)};
-    ForEachBand<n, ApplyBand>(k, channels_, placed, in, out);
+    const int order = n != kAnyOrder ? n : order_;
+    const PlacedPlan placed = {first_, last_, matrices_, PairOffsets(order, first_, in),
+                               PairOffsets(order, last_, out)};
+    ForEachBand<n, ApplyBand>(k, order, channels_, placed, in, out);
   }
 
  private:
   PlannedTurn first_, last_;
   const float* matrices_;
+  int order_;
   size_t channels_;
 };
 

@@ -18,23 +18,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::rotate::HWY_NAMESPACE {
 
-// Items whose planes of all channels are done in one go; larger ones go channel by channel, since
-// all of their planes are more than the stack should hold.
-inline constexpr int kMaxWholeOrder = 6;
+// The kernel of order n: its own, or the one that higher orders share.
+template <int n>
+inline constexpr int kKernelOf = n <= kMaxInlinedOrder ? n : kAnyOrder;
 
-// run(channels, in, out) for all channels at once or for each of them.
+// run(channels, in, out) for all channels at once, or for each of them where all of their planes are
+// more than the stack should hold.
 template <int n, class Run>
 void ForChannels(size_t channels, const simd::InView& in, const simd::OutView& out,
                  const Run& run) {
   constexpr size_t kCoefficients = NumCoefficients(n);
-  if constexpr (n <= kMaxWholeOrder) {
+  if constexpr (n <= kMaxInlinedOrder) {
     constexpr size_t kMaxPlanes = kMaxChannels * kCoefficients;
     const size_t planes = channels * kCoefficients;
     run(channels, In<kMaxPlanes>(in, planes), Out<kMaxPlanes>(out, planes));
   } else {
+    constexpr size_t kMaxPlanes = NumCoefficients(kMaxOrder);
     for (size_t c = 0; c < channels; ++c) {
-      run(1, In<kCoefficients>(in.FromPlane(c * kCoefficients)),
-          Out<kCoefficients>(out.FromPlane(c * kCoefficients)));
+      run(1, In<kMaxPlanes>(in.FromPlane(c * kCoefficients), kCoefficients),
+          Out<kMaxPlanes>(out.FromPlane(c * kCoefficients), kCoefficients));
     }
   }
 }
@@ -53,7 +55,7 @@ template <int n>
 void PlanBatch(const Plan& plan, size_t channels, size_t count, const simd::InView& in,
                const simd::OutView& out) {
   ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
-    ForEachBatch(count, ApplyPlan<n>(plan, now), from, to);
+    ForEachBatch(count, ApplyPlan<kKernelOf<n>>(plan, n, now), from, to);
   });
 }
 
@@ -76,7 +78,7 @@ void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaterni
       ForEachBatch(count, RotateTensorsByQuaternion<n>{now}, In<4>(quaternions), from, to);
     } else {
       ForEachStaged<kAnglePlanes>(count, AnglesFromQuaternion(), In<4>(quaternions),
-                                  RotateBands<n, false>{now}, from, to);
+                                  RotateBands<kKernelOf<n>, false>(n, now), from, to);
     }
   });
 }
@@ -94,7 +96,7 @@ void MatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
       ForEachBatch(count, RotateTensorsByMatrix<n>{now}, In<9>(matrices), from, to);
     } else {
       ForEachStaged<kAnglePlanes>(count, AnglesFromMatrix(), In<9>(matrices),
-                                  RotateBands<n, true>{now}, from, to);
+                                  RotateBands<kKernelOf<n>, true>(n, now), from, to);
     }
   });
 }

@@ -19,7 +19,7 @@ Operations ByQuaternion(size_t channels) {
     return CountKernel(kernels::RotateTensorsByQuaternion<n>{channels}, kPlanes, kPlanes, kPlanes);
   } else {
     return CountKernel(kernels::AnglesFromQuaternion(), kPlanes, kPlanes) +
-           CountKernel(kernels::RotateBands<n, false>{channels}, kPlanes, kPlanes, kPlanes);
+           CountKernel(kernels::RotateBands<n, false>(n, channels), kPlanes, kPlanes, kPlanes);
   }
 }
 
@@ -29,7 +29,7 @@ Operations ByMatrix(size_t channels) {
     return CountKernel(kernels::RotateTensorsByMatrix<n>{channels}, kPlanes, kPlanes, kPlanes);
   } else {
     return CountKernel(kernels::AnglesFromMatrix(), kPlanes, kPlanes) +
-           CountKernel(kernels::RotateBands<n, true>{channels}, kPlanes, kPlanes, kPlanes);
+           CountKernel(kernels::RotateBands<n, true>(n, channels), kPlanes, kPlanes, kPlanes);
   }
 }
 
@@ -42,7 +42,7 @@ void Append(OperationRows& rows) {
     rows.push_back({"rotate_matrix", order, variant, ByMatrix<n>(channels)});
     // The plan is made once per call.
     rows.push_back({"rotate_broadcast", order, variant,
-                    CountKernel(kernels::ApplyPlan<n>({}, channels), kPlanes, kPlanes)});
+                    CountKernel(kernels::ApplyPlan<n>({}, n, channels), kPlanes, kPlanes)});
   }
   if constexpr (n < kMaxOrder) Append<n + 1>(rows);
 }
