@@ -52,6 +52,8 @@ add_test(NAME Examples.Readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE
 
 # The command, real images, and the installed package, where they are built.
 if(GAUNT_TOOLS)
+  gaunt_test(splats_test tests/splats_test.cc)
+  target_link_libraries(splats_test PRIVATE gaunt_splats)
   # In one process: it reads the images once.
   add_executable(panorama_test tests/panorama_test.cc tests/support/panorama.cc)
   gaunt_compile_internal(panorama_test)

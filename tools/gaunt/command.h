@@ -4,8 +4,9 @@
 #define GAUNT_TOOLS_GAUNT_COMMAND_H_
 
 #include <CLI/CLI.hpp>
-#include <stdexcept>
 #include <string>
+
+#include "bad_input.h"
 
 namespace gaunt::tool {
 
@@ -13,17 +14,12 @@ namespace gaunt::tool {
 inline constexpr int kExitFailure = 1;   // something broke on the way
 inline constexpr int kExitBadInput = 2;  // arguments or files are not what they should be
 
-// Ends the command with one line on stderr and kExitBadInput.
-class BadInput : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 // Each adds a subcommand, whose callback runs it.
 void AddInfo(CLI::App& app);
 void AddOpcount(CLI::App& app);
 void AddFrame(CLI::App& app);
 void AddPoints(CLI::App& app);
+void AddRotate(CLI::App& app);
 
 }  // namespace gaunt::tool
 

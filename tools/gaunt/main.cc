@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   gaunt::tool::AddOpcount(app);
   gaunt::tool::AddFrame(app);
   gaunt::tool::AddPoints(app);
+  gaunt::tool::AddRotate(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help

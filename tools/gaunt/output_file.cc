@@ -8,7 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "command.h"
+#include "bad_input.h"
 
 namespace gaunt::tool {
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#ifndef GAUNT_TOOLS_GAUNT_BAD_INPUT_H_
+#define GAUNT_TOOLS_GAUNT_BAD_INPUT_H_
+
+#include <stdexcept>
+
+namespace gaunt::tool {
+
+// Ends the command with one line on stderr and kExitBadInput.
+class BadInput : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace gaunt::tool
+
+#endif  // GAUNT_TOOLS_GAUNT_BAD_INPUT_H_
