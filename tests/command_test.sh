@@ -10,6 +10,10 @@ failures=0
 
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 
+leftovers() {
+  find . -name '*.png' -o -name '*part*' -o -name '.gaunt*' -o -name '*turned*'
+}
+
 # rejects WORD ARGUMENT...: exit code 2, one line on stderr that has the word, nothing on stdout, no
 # file left behind.
 rejects() {
@@ -20,7 +24,7 @@ rejects() {
   [ "$(wc -l <err.txt)" -eq 1 ] || fail "gaunt $*: stderr is not one line: $(cat err.txt)"
   grep -q -- "$word" err.txt || fail "gaunt $*: no word of '$word': $(cat err.txt)"
   [ ! -s out.txt ] || fail "gaunt $*: wrote to stdout"
-  [ -z "$(find . -name '*.png' -o -name '*part*' -o -name '.gaunt*')" ] || fail "gaunt $*: left files"
+  [ -z "$(leftovers)" ] || fail "gaunt $*: left files"
 }
 
 small=(--grid 4 3 4 --rays 32 --bounces 1 --objects 70 --frames 3)
@@ -65,6 +69,71 @@ rejects twice points --repulsion 6,3,6
 rejects nowhere points --repulsion 6 --out nowhere/points
 mkdir folder
 rejects folder points --repulsion 6 --out folder
+
+# floats NUMBER...: as bytes, little-endian.
+floats() {
+  local number
+  for number; do
+    case $number in
+      0) printf '\0\0\0\0' ;;
+      1) printf '\0\0\200\77' ;;
+      -1) printf '\0\0\200\277' ;;
+      2) printf '\0\0\0\100' ;;
+      *) fail "floats: $number" ;;
+    esac
+  done
+}
+# splats COUNT: a PLY file of SH degree 1, with a byte and no normals.
+splats() {
+  printf 'ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty uchar tag\n' "$1"
+  printf 'property float %s\n' x y z f_dc_{0..2} f_rest_{0..8} scale_{0..2} rot_{0..3}
+  printf 'end_header\n'
+  local i
+  for ((i = 0; i < $1; ++i)); do
+    printf T
+    floats 1 2 0  2 2 2  1 2 -1 0 1 2 -1 -1 0  1 0 0  1 0 0 1
+  done
+}
+splats 2 >scene.ply
+turn=(--axis 0 0 1 --degrees 90 --out turned.ply)
+rejects scene rotate
+rejects out rotate scene.ply --mirror x
+rejects "give --quaternion" rotate scene.ply --out turned.ply
+rejects excludes rotate scene.ply --quaternion 0 0 0 1 "${turn[@]}"
+rejects excludes rotate scene.ply --quaternion 0 0 0 1 --matrix 1 0 0 0 1 0 0 0 1 --out turned.ply
+rejects requires rotate scene.ply --axis 0 0 1 --out turned.ply
+rejects requires rotate scene.ply --degrees 90 --out turned.ply
+rejects mirror rotate scene.ply --mirror w --out turned.ply
+rejects "quaternion is zero" rotate scene.ply --quaternion 0 0 0 0 --out turned.ply
+rejects "quaternion is not finite" rotate scene.ply --quaternion 0 0 nan 0 --out turned.ply
+rejects "axis is zero" rotate scene.ply --axis 0 0 0 --degrees 5 --out turned.ply
+rejects "angle is not finite" rotate scene.ply --axis 0 0 1 --degrees inf --out turned.ply
+rejects "not orthogonal" rotate scene.ply --matrix 1 0 0 0 1 0 0 0 2 --out turned.ply
+rejects matrix rotate scene.ply --matrix 1 0 0 0 1 0 0 0 --out turned.ply
+rejects missing.ply rotate missing.ply "${turn[@]}"
+rejects "it is a folder" rotate folder "${turn[@]}"
+rejects "it is a folder" rotate scene.ply --mirror x --out folder
+rejects nowhere rotate scene.ply --mirror x --out nowhere/turned.ply
+# broken_splats WORD COMMAND...: rejects what the command makes of the file.
+broken_splats() {
+  local word=$1
+  shift
+  "$@" <scene.ply >broken.ply
+  rejects "$word" rotate broken.ply "${turn[@]}"
+}
+broken_splats "not a PLY" head -c 2
+broken_splats "ends in its header" head -c 100
+broken_splats "has 1 of 2 items of element 'vertex'" head -c -1
+broken_splats "bytes after" cat scene.ply /dev/stdin
+broken_splats "'ascii 1.0'" sed s/binary_little_endian/ascii/
+broken_splats "'binary_big_endian 1.0'" sed s/little/big/
+broken_splats "no property rot_3" sed s/rot_3/rot_4/
+broken_splats "no property f_dc_0" sed s/f_dc_0/f_ac_0/
+broken_splats "8 properties f_rest" sed s/f_rest_8/opacity/
+broken_splats "must be float" sed 's/float x/int x/'
+broken_splats "a second property" sed 's/float x/float y/'
+broken_splats "too many" sed 's/vertex 2/vertex 99999999999999999999/'
+broken_splats "lists" sed 's/uchar tag/list uchar uchar tag/'
 
 for scene in courtyard room street; do
   "$gaunt" frame --scene "$scene" "${small[@]}" --out "pictures/$scene" >out.txt 2>err.txt ||
@@ -119,10 +188,62 @@ for word in '#ifndef A_B_FEW_POINTS_H_' 'namespace a::b {' 'kFewPoints6\[6\]\[3\
   grep -q "$word" header.txt || fail "points --header: no $word"
 done
 
+# Splats: a quarter turn about z, and back into the file itself.
+"$gaunt" rotate scene.ply "${turn[@]}" >out.txt 2>err.txt || fail "rotate: $(cat err.txt)"
+grep -qE '^2 splats of SH degree 1 rotated in [0-9.]+ s \([0-9]+ MB/s\): turned.ply$' out.txt ||
+  fail "summary of rotate: $(cat out.txt)"
+[ ! -s err.txt ] || fail "rotate: stderr: $(cat err.txt)"
+# numbers FILE: of its last splat.
+numbers() { tail -c 88 "$1" | od -A n -v -t f4 -w88; }
+# are FILE NUMBER...: whether a splat has these.
+are() {
+  local file=$1
+  shift
+  numbers "$file" | awk -v numbers="$*" '{
+    if (split(numbers, want, " ") != NF) exit 1
+    for (k = 1; k <= NF; ++k) if (($k - want[k]) ^ 2 > 1e-12) exit 1
+  }' || fail "$file: $(numbers "$file") instead of $*"
+}
+# Coefficients -1, 0, 1 of band 1 are -y, z, -x: -x becomes -y, and -y becomes x.
+are turned.ply -2 1 0  2 2 2  -1 2 -1  2 1 0  0 -1 1  1 0 0  0 0 0 1.4142136
+"$gaunt" rotate turned.ply --quaternion 0 0 -0.5 0.5 --out turned.ply >out.txt || fail "rotate back"
+are turned.ply 1 2 0  2 2 2  1 2 -1  0 1 2  -1 -1 0  1 0 0  1 0 0 1
+[ "$(head -c -177 turned.ply)" = "$(head -c -177 scene.ply)" ] || fail "rotate changed the header"
+[ "$(tail -c 89 turned.ply | head -c 1)" = T ] || fail "rotate changed a byte"
+"$gaunt" rotate scene.ply --mirror x --axis 0 0 1 --degrees 90 --out turned.ply >out.txt ||
+  fail "rotate --mirror"
+grep -q mirrored out.txt || fail "summary of rotate --mirror"
+are turned.ply -2 -1 0  2 2 2  1 2 -1  -2 1 0  0 -1 1  1 0 0  0 1.4142136 0 0
+"$gaunt" rotate scene.ply --matrix 0 -1 0 -1 0 0 0 0 1 --json --out turned.ply >json.txt ||
+  fail "rotate --matrix"
+grep -q '"mirrored": true' json.txt || fail "rotate --json"
+are turned.ply -2 -1 0  2 2 2  1 2 -1  -2 1 0  0 -1 1  1 0 0  0 1.4142136 0 0
+rm turned.ply
+"$gaunt" rotate scene.ply --mirror x --out /dev/full >out.txt 2>err.txt
+[ $? -eq 1 ] && [ "$(cat err.txt)" = "gaunt: cannot write /dev/full: No space left on device" ] ||
+  fail "rotate to a full device: $(cat err.txt)"
+
+# An end in the middle leaves nothing either.
+mkfifo slow.ply
+"$gaunt" rotate slow.ply "${turn[@]}" >out.txt 2>err.txt &
+rotating=$!
+exec 3>slow.ply
+head -c -1 scene.ply >&3
+for _ in $(seq 100); do
+  [ -z "$(find . -name '*turned*')" ] || break
+  sleep 0.1
+done
+[ -n "$(find . -name '*turned*')" ] || fail "rotate: no file to interrupt"
+kill -TERM $rotating
+wait $rotating 2>/dev/null
+[ $? -eq 143 ] || fail "rotate does not end by a signal"
+exec 3>&-
+[ -z "$(find . -name '*turned*')" ] || fail "rotate left a file when it was interrupted"
+
 "$gaunt" info | grep -q '^target ' || fail "info"
 "$gaunt" info --json | grep -q '"targets"' || fail "info --json"
 GAUNT_TARGET=nonsense "$gaunt" info | grep -q 'nonsense is unknown' || fail "unknown GAUNT_TARGET"
-for command in "" info opcount frame points; do
+for command in "" info opcount frame points rotate; do
   "$gaunt" $command --help | grep -q -- --help || fail "help of '$command'"
 done
 

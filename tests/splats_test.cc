@@ -574,7 +574,7 @@ TEST_F(Splats, SurvivesMutations) {
   Random random(7);
   const auto below = [&](size_t n) { return static_cast<size_t>(random.Bits() % n); };
   int accepted = 0;
-  for (int trial = 0; trial < 5000; ++trial) {
+  for (int trial = 0; trial < 20000; ++trial) {
     std::string bytes = good;
     for (size_t edits = 1 + below(3); edits > 0; --edits) {
       const size_t at = below(std::min(header, bytes.size()));
@@ -595,8 +595,8 @@ TEST_F(Splats, SurvivesMutations) {
     ASSERT_EQ(fs::file_size(Path("out.ply")), bytes.size());
   }
   // Changes of comments and names at least are harmless.
-  EXPECT_GT(accepted, 50);
-  EXPECT_LT(accepted, 4000);
+  EXPECT_GT(accepted, 200);
+  EXPECT_LT(accepted, 16000);
 }
 
 TEST_F(Splats, RejectsFilesThatCannotBeReadOrWritten) {

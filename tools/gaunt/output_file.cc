@@ -4,7 +4,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -13,6 +16,31 @@
 namespace gaunt::tool {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// What a signal that ends the program removes; nullptr: nothing. A copy, which a handler may read
+// at any time.
+std::atomic<char*> unfinished{nullptr};
+
+void RemoveAndEnd(int signal) {
+  if (const char* file = unfinished) unlink(file);
+  raise(signal);  // whose action is the default again
+}
+
+void RemoveOnSignals(const std::string& file) {
+  std::free(unfinished.exchange(strdup(file.c_str())));
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action = {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler != SIG_DFL) continue;  // such as ignored ones, of nohup
+    action.sa_handler = RemoveAndEnd;
+    action.sa_flags = SA_RESETHAND | SA_NODEFER;
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace
 
 OutputFile::OutputFile(const std::string& path) {
   const auto fail = [&](const std::string& why) -> void {
@@ -36,6 +64,7 @@ OutputFile::OutputFile(const std::string& path) {
     const int file = open(written_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
     if (file >= 0) {
       close(file);
+      RemoveOnSignals(written_);
       return;
     }
     if (errno != EEXIST) fail(std::strerror(errno));
@@ -45,6 +74,7 @@ OutputFile::OutputFile(const std::string& path) {
 OutputFile::~OutputFile() {
   std::error_code ignored;
   if (!in_place_ && !committed_) fs::remove(written_, ignored);
+  std::free(unfinished.exchange(nullptr));
 }
 
 void OutputFile::Commit() {

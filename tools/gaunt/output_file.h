@@ -8,7 +8,8 @@
 namespace gaunt::tool {
 
 // A new file beside the target, which takes its place when it is complete. Links are followed; what
-// is no regular file, such as a device or a pipe, is written itself.
+// is no regular file, such as a device or a pipe, is written itself. One at a time: a signal that
+// ends the program removes it.
 class OutputFile {
  public:
   // Throws BadInput if the file cannot be written.
