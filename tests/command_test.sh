@@ -123,7 +123,7 @@ broken_splats() {
 }
 broken_splats "not a PLY" head -c 2
 broken_splats "ends in its header" head -c 100
-broken_splats "has 1 of 2 items of element 'vertex'" head -c -1
+broken_splats "has 1 of 2 splats" head -c -1
 broken_splats "bytes after" cat scene.ply /dev/stdin
 broken_splats "'ascii 1.0'" sed s/binary_little_endian/ascii/
 broken_splats "'binary_big_endian 1.0'" sed s/little/big/

@@ -495,7 +495,7 @@ TEST_F(Splats, RejectsWrongHeaders) {
       {"vertex 2", "vertex 99999999999999999999", "line 4: '99999999999999999999' is too many"},
       {"vertex 2", "vertex 9999999999999999999",
        "cannot have 9999999999999999999 items of element 'vertex'"},
-      {"vertex 2", "vertex 3", "has 2 of 3 items of element 'vertex'"},
+      {"vertex 2", "vertex 3", "has 2 of 3 splats"},
       {"vertex 2", "vertex 1", "has bytes after its last element"},
       {"vertex 2", "points 2", "has no element 'vertex'"},
       {"end_header", "element vertex 2\nend_header", "line 31: a second element 'vertex'"},
@@ -536,7 +536,7 @@ TEST_F(Splats, RejectsWrongHeaders) {
 
 TEST_F(Splats, RejectsEveryTruncation) {
   Around around;
-  around.elements_after = "element camera 1\nproperty double focus\n";
+  around.elements_after = "element camera 1\nproperty double x\n";
   around.data_after = "12345678";
   const SplatFile file = MakeSplats(1, 3, around);
   const std::string good = file.Bytes();
@@ -550,7 +550,7 @@ TEST_F(Splats, RejectsEveryTruncation) {
       ASSERT_EQ(message, "ends in its header");
     } else if (size < good.size() - 8) {
       ASSERT_EQ(message, "has " + std::to_string((size - file.header.size()) / file.stride) +
-                             " of 3 items of element 'vertex'");
+                             " of 3 splats");
     } else {
       ASSERT_EQ(message, "has 0 of 1 items of element 'camera'");
     }

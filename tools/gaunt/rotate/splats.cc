@@ -113,7 +113,7 @@ class Rotator {
   std::vector<float> tiles_;
 };
 
-// Hands on all items of an element, a chunk at a time.
+// Hands on all items of an element, a chunk at a time. Messages say what they are.
 template <class Visit>
 void CopyItems(const PlyHeader& header, const PlyElement& element, size_t max_chunk, ByteReader& in,
                ByteWriter& out, Visit visit) {
@@ -124,8 +124,7 @@ void CopyItems(const PlyHeader& header, const PlyElement& element, size_t max_ch
     const size_t items = std::min<uint64_t>(chunk, element.count - done);
     const size_t whole = in.Read(block.data(), items * element.stride) / element.stride;
     if (whole < items) {
-      header.Reject(fmt::format("has {} of {} items of element {}", done + whole, element.count,
-                                Quoted(element.name)));
+      header.Reject(fmt::format("has {} of {} {}", done + whole, element.count, what));
     }
     visit(block.data(), items, done);
     out.Write(block.data(), items * element.stride);
@@ -156,13 +155,14 @@ SplatSummary RotateSplats(const std::string& in, const std::string& out, const M
       CopyRest(reader, writer);
       known_size = false;
     } else if (k == layout.element) {
-      CopyItems(header, element, kChunkSplats, reader, writer,
+      CopyItems(header, element, "splats", kChunkSplats, reader, writer,
                 [&](char* records, size_t count, uint64_t done) {
                   progress(static_cast<double>(done) / static_cast<double>(layout.count));
                   rotator.Rotate(records, count);
                 });
     } else {
-      CopyItems(header, element, kBlockBytes, reader, writer, [](char*, size_t, uint64_t) {});
+      CopyItems(header, element, "items of element " + Quoted(element.name), kBlockBytes, reader,
+                writer, [](char*, size_t, uint64_t) {});
     }
   }
   char extra;
