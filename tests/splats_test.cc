@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rotated files of Gaussian splats, against what a renderer of splats makes of them.
-#include "rotate/splats.h"
+#include "splats/splats.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@
 
 #include "bad_input.h"
 #include "rotate/rotate_reference.h"
-#include "rotate/turn.h"
+#include "splats/turn.h"
 #include "tests/support/random.h"
 
 namespace gaunt::test {

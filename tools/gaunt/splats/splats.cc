@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rotate/splats.h"
+#include "splats/splats.h"
 
 #include <fmt/core.h>
 
@@ -10,9 +10,9 @@
 
 #include "gaunt/gaunt.h"
 #include "output_file.h"
-#include "rotate/byte_file.h"
-#include "rotate/ply.h"
-#include "rotate/splat_layout.h"
+#include "splats/byte_file.h"
+#include "splats/ply.h"
+#include "splats/splat_layout.h"
 
 namespace gaunt::tool {
 namespace {
@@ -115,8 +115,8 @@ class Rotator {
 
 // Hands on all items of an element, a chunk at a time. Messages say what they are.
 template <class Visit>
-void CopyItems(const PlyHeader& header, const PlyElement& element, size_t max_chunk, ByteReader& in,
-               ByteWriter& out, Visit visit) {
+void CopyItems(const PlyHeader& header, const PlyElement& element, const std::string& what,
+               size_t max_chunk, ByteReader& in, ByteWriter& out, Visit visit) {
   if (element.stride == 0) return;
   const size_t chunk = std::clamp<size_t>(kBlockBytes / element.stride, 1, max_chunk);
   std::vector<char> block(element.stride * std::min<uint64_t>(chunk, element.count));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rotate/turn.h"
+#include "splats/turn.h"
 
 #include <fmt/core.h>
 

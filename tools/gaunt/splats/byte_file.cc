@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rotate/byte_file.h"
+#include "splats/byte_file.h"
 
 #include <cerrno>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rotate/splat_layout.h"
+#include "splats/splat_layout.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files of any size as streams of bytes, whose errors name them.
-#ifndef GAUNT_TOOLS_GAUNT_ROTATE_BYTE_FILE_H_
-#define GAUNT_TOOLS_GAUNT_ROTATE_BYTE_FILE_H_
+#ifndef GAUNT_TOOLS_GAUNT_SPLATS_BYTE_FILE_H_
+#define GAUNT_TOOLS_GAUNT_SPLATS_BYTE_FILE_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -50,4 +50,4 @@ class ByteWriter {
 
 }  // namespace gaunt::tool
 
-#endif  // GAUNT_TOOLS_GAUNT_ROTATE_BYTE_FILE_H_
+#endif  // GAUNT_TOOLS_GAUNT_SPLATS_BYTE_FILE_H_

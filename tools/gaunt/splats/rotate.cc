@@ -11,8 +11,8 @@
 
 #include "command.h"
 #include "progress.h"
-#include "rotate/splats.h"
-#include "rotate/turn.h"
+#include "splats/splats.h"
+#include "splats/turn.h"
 
 namespace gaunt::tool {
 namespace {

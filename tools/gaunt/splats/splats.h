@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Rotates files of Gaussian splats.
-#ifndef GAUNT_TOOLS_GAUNT_ROTATE_SPLATS_H_
-#define GAUNT_TOOLS_GAUNT_ROTATE_SPLATS_H_
+#ifndef GAUNT_TOOLS_GAUNT_SPLATS_SPLATS_H_
+#define GAUNT_TOOLS_GAUNT_SPLATS_SPLATS_H_
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 
-#include "rotate/turn.h"
+#include "splats/turn.h"
 
 namespace gaunt::tool {
 
@@ -29,4 +29,4 @@ SplatSummary RotateSplats(const std::string& in, const std::string& out, const M
 
 }  // namespace gaunt::tool
 
-#endif  // GAUNT_TOOLS_GAUNT_ROTATE_SPLATS_H_
+#endif  // GAUNT_TOOLS_GAUNT_SPLATS_SPLATS_H_

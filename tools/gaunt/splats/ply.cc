@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rotate/ply.h"
+#include "splats/ply.h"
 
 #include <fmt/core.h>
 

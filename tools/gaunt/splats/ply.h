@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Headers of PLY files, binary little-endian 1.0.
-#ifndef GAUNT_TOOLS_GAUNT_ROTATE_PLY_H_
-#define GAUNT_TOOLS_GAUNT_ROTATE_PLY_H_
+#ifndef GAUNT_TOOLS_GAUNT_SPLATS_PLY_H_
+#define GAUNT_TOOLS_GAUNT_SPLATS_PLY_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rotate/byte_file.h"
+#include "splats/byte_file.h"
 
 namespace gaunt::tool {
 
@@ -48,4 +48,4 @@ std::string Quoted(std::string_view word);
 
 }  // namespace gaunt::tool
 
-#endif  // GAUNT_TOOLS_GAUNT_ROTATE_PLY_H_
+#endif  // GAUNT_TOOLS_GAUNT_SPLATS_PLY_H_

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Where a PLY file of Gaussian splats has what a rotation changes.
-#ifndef GAUNT_TOOLS_GAUNT_ROTATE_SPLAT_LAYOUT_H_
-#define GAUNT_TOOLS_GAUNT_ROTATE_SPLAT_LAYOUT_H_
+#ifndef GAUNT_TOOLS_GAUNT_SPLATS_SPLAT_LAYOUT_H_
+#define GAUNT_TOOLS_GAUNT_SPLATS_SPLAT_LAYOUT_H_
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "rotate/ply.h"
+#include "splats/ply.h"
 
 namespace gaunt::tool {
 
@@ -29,4 +29,4 @@ SplatLayout FindSplats(const PlyHeader& header);
 
 }  // namespace gaunt::tool
 
-#endif  // GAUNT_TOOLS_GAUNT_ROTATE_SPLAT_LAYOUT_H_
+#endif  // GAUNT_TOOLS_GAUNT_SPLATS_SPLAT_LAYOUT_H_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rotations and mirrors as orthogonal matrices. Quarter turns and mirrors are exact.
-#ifndef GAUNT_TOOLS_GAUNT_ROTATE_TURN_H_
-#define GAUNT_TOOLS_GAUNT_ROTATE_TURN_H_
+#ifndef GAUNT_TOOLS_GAUNT_SPLATS_TURN_H_
+#define GAUNT_TOOLS_GAUNT_SPLATS_TURN_H_
 
 #include <array>
 #include <cstddef>
@@ -35,4 +35,4 @@ Quaternion Orientation(const Matrix& m);
 
 }  // namespace gaunt::tool
 
-#endif  // GAUNT_TOOLS_GAUNT_ROTATE_TURN_H_
+#endif  // GAUNT_TOOLS_GAUNT_SPLATS_TURN_H_
