@@ -54,6 +54,8 @@ if [ "$(id -u)" -ne 0 ]; then
   mkdir locked && chmod a-w locked
   rejects locked frame --out locked/out "${small[@]}"
   rejects locked points --repulsion 3 --out locked/points
+  printf old >kept.txt && chmod a-w kept.txt
+  rejects kept.txt points --repulsion 3 --out kept.txt
 fi
 rejects "--repulsion or --design" points
 rejects "not in range" points --repulsion 0
@@ -206,8 +208,10 @@ are() {
 }
 # Coefficients -1, 0, 1 of band 1 are -y, z, -x: -x becomes -y, and -y becomes x.
 are turned.ply -2 1 0  2 2 2  -1 2 -1  2 1 0  0 -1 1  1 0 0  0 0 0 1.4142136
+chmod 640 turned.ply
 "$gaunt" rotate turned.ply --quaternion 0 0 -0.5 0.5 --out turned.ply >out.txt || fail "rotate back"
 are turned.ply 1 2 0  2 2 2  1 2 -1  0 1 2  -1 -1 0  1 0 0  1 0 0 1
+[ "$(stat -c %a turned.ply)" = 640 ] || fail "rotate changed the mode of the file"
 [ "$(head -c -177 turned.ply)" = "$(head -c -177 scene.ply)" ] || fail "rotate changed the header"
 [ "$(tail -c 89 turned.ply | head -c 1)" = T ] || fail "rotate changed a byte"
 "$gaunt" rotate scene.ply --mirror x --axis 0 0 1 --degrees 90 --out turned.ply >out.txt ||

@@ -56,6 +56,7 @@ OutputFile::OutputFile(const std::string& path) {
     written_ = target_;
     return;
   }
+  if (fs::exists(target, error) && access(target_.c_str(), W_OK) != 0) fail(std::strerror(errno));
   // A name that nobody has.
   for (int k = 0;; ++k) {
     const std::string name = "." + target.stem().string() + "-" + std::to_string(getpid()) + "-" +
@@ -79,7 +80,11 @@ OutputFile::~OutputFile() {
 
 void OutputFile::Commit() {
   std::error_code error;
-  if (!in_place_) fs::rename(written_, target_, error);
+  if (!in_place_) {
+    const fs::file_status replaced = fs::status(target_, error);
+    if (fs::exists(replaced)) fs::permissions(written_, replaced.permissions(), error);
+    fs::rename(written_, target_, error);
+  }
   if (error) throw std::runtime_error("cannot write " + target_ + ": " + error.message());
   committed_ = true;
 }

@@ -54,7 +54,7 @@ class Finder {
         std::count_if(vertex_.properties.begin(), vertex_.properties.end(),
                       [](const PlyProperty& one) { return one.name.rfind(kRest, 0) == 0; }));
     for (uint32_t n = 1; n <= kMaxOrder; ++n) {
-      if (count == 3 * (n * n - 1)) return n;
+      if (count == 3 * (size_t{n} * n - 1)) return n;
     }
     header_.Reject(
         fmt::format("has {} properties {}*, but splats have 0, 9, 24 or 45", count, kRest));
