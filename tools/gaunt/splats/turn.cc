@@ -128,8 +128,7 @@ Quaternion Orientation(const Matrix& matrix) {
   if (Mirrors(matrix)) {
     for (double& entry : m) entry = -entry;
   }
-  // Four times the squares of w x y z. The largest is at least 1, so that its root and the quotients
-  // are good.
+  // Four times the squares of w x y z. The largest is at least 1: a good divisor.
   const double squares[4] = {1.0 + m[0] + m[4] + m[8], 1.0 + m[0] - m[4] - m[8],
                              1.0 - m[0] + m[4] - m[8], 1.0 - m[0] - m[4] + m[8]};
   const ptrdiff_t largest = std::max_element(squares, squares + 4) - squares;
