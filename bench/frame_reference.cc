@@ -28,9 +28,7 @@ void LightReference(const double history[27], const double quaternion[4], bool r
   if (rotates) {
     double matrix[9];
     rotate::MatrixReference(quaternion, matrix);
-    for (int c = 0; c < 3; ++c) {
-      rotate::RotateReference(3, matrix, history + 9 * c, lit + 9 * c);
-    }
+    rotate::RotateReference(3, 3, matrix, history, lit);
   }
   evaluate::IrradianceConstantsReference(lit, constants);
   light::DirectionReference(3, 3, lit, nullptr, direction);

@@ -1,64 +1,79 @@
 // SPDX-License-Identifier: MIT
+// Batches, arguments and bits of rotation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
 #include "gaunt/gaunt.h"
 #include "rotate/rotate_reference.h"
-#include "tests/support/golden.h"
+#include "tests/rotate_tolerance.h"
 #include "tests/support/operation.h"
 #include "tests/support/targets.h"
 
 namespace gaunt::test {
 namespace {
 
-// As gaunt.h states it, for coefficients in [-1, 1].
-constexpr double RotateTolerance(uint32_t n) { return n <= 6 ? 3e-6 : 6e-6; }
-
 enum class By { kQuaternion, kMatrix };
+
+auto RotateFunction(By by) { return by == By::kQuaternion ? &gaunt_rotate : &gaunt_rotate_matrix; }
+size_t RotationPlanes(By by) { return by == By::kQuaternion ? 4 : 9; }
+
+std::string Name(By by, uint32_t n, uint32_t channels) {
+  return std::string(by == By::kQuaternion ? "rotate" : "rotate_matrix") + "/n" +
+         std::to_string(n) + "/channels" + std::to_string(channels);
+}
+
+// Lengths far from 1, tilts near the poles, right angles, mirrors, and no rotation at all.
+void MakeRotation(Random& random, By by, float* out) {
+  float q[4];
+  random.Fill(q, 4, -1.0, 1.0);
+  const float scale = std::ldexp(1.0f, static_cast<int>(random.Bits() % 41) - 20);
+  const double kind = random.Uniform();
+  if (kind < 0.1) q[0] *= 1e-4f, q[1] *= 1e-4f;
+  if (kind > 0.1 && kind < 0.2) q[2] *= 1e-7f, q[3] *= 1e-7f;
+  if (kind > 0.2 && kind < 0.3) q[0] = q[1] = 0.0f;
+  if (kind > 0.3 && kind < 0.4) q[2] = q[3] = 0.0f;
+  if (kind > 0.4 && kind < 0.5) std::for_each(q, q + 4, [](float& x) { x = std::round(x); });
+  if (kind > 0.9) std::fill(q, q + 4, 0.0f);
+  if (by == By::kQuaternion) {
+    for (int k = 0; k < 4; ++k) out[k] = q[k] * scale;
+    return;
+  }
+  const double exact[4] = {q[0], q[1], q[2], q[3]};
+  double matrix[9];
+  rotate::MatrixReference(exact, matrix);
+  const double mirror = random.Uniform() < 0.3 ? -1.0 : 1.0;
+  for (int k = 0; k < 9; ++k) out[k] = static_cast<float>(mirror * matrix[k]);
+}
+
+void Reference(By by, uint32_t n, uint32_t channels, const double* rotation, const double* in,
+               double* out) {
+  double matrix[9];
+  if (by == By::kQuaternion) {
+    rotate::MatrixReference(rotation, matrix);
+  } else {
+    std::copy(rotation, rotation + 9, matrix);
+  }
+  rotate::RotateReference(static_cast<int>(n), channels, matrix, in, out);
+}
 
 Operation RotateOperation(uint32_t n, uint32_t channels, By by) {
   const size_t planes = channels * n * n;
   Operation operation;
-  operation.name = std::string(by == By::kQuaternion ? "rotate" : "rotate_matrix") + "/n" +
-                   std::to_string(n) + "/channels" + std::to_string(channels);
-  operation.inputs = {by == By::kQuaternion ? size_t{4} : size_t{9}, planes};
+  operation.name = Name(by, n, channels);
+  operation.inputs = {RotationPlanes(by), planes};
   operation.outputs = {planes};
   operation.call = [=](size_t count, const Operation::Views& in, const Operation::Views& out) {
-    return (by == By::kQuaternion ? gaunt_rotate : gaunt_rotate_matrix)(n, channels, count, in[0],
-                                                                        in[1], out[0]);
+    return RotateFunction(by)(n, channels, count, in[0], in[1], out[0]);
   };
   operation.make = [=](Random& random, size_t side, float* out) {
     if (side == 1) return random.Fill(out, planes, -1.0, 1.0);
-    float q[4];
-    random.Fill(q, 4, -1.0, 1.0);
-    // Lengths far from 1, near-pole tilts, and no rotation at all are all in the batch.
-    const float scale = std::ldexp(1.0f, static_cast<int>(random.Bits() % 41) - 20);
-    if (random.Uniform() < 0.2) q[0] *= 1e-4f, q[1] *= 1e-4f;
-    if (random.Uniform() < 0.1) q[0] = q[1] = q[2] = q[3] = 0.0f;
-    if (by == By::kQuaternion) {
-      for (int k = 0; k < 4; ++k) out[k] = q[k] * scale;
-      return;
-    }
-    const double exact[4] = {q[0], q[1], q[2], q[3]};
-    double matrix[9];
-    rotate::MatrixReference(exact, matrix);
-    const double mirror = random.Uniform() < 0.3 ? -1.0 : 1.0;
-    for (int k = 0; k < 9; ++k) out[k] = static_cast<float>(mirror * matrix[k]);
+    MakeRotation(random, by, out);
   };
   operation.reference = [=](const Operation::Item& in, Operation::Item& out) {
-    double matrix[9];
-    if (by == By::kQuaternion) {
-      rotate::MatrixReference(in[0].data(), matrix);
-    } else {
-      std::copy(in[0].begin(), in[0].end(), matrix);
-    }
-    for (uint32_t c = 0; c < channels; ++c) {
-      rotate::RotateReference(static_cast<int>(n), matrix, in[1].data() + c * n * n,
-                              out[0].data() + c * n * n);
-    }
+    Reference(by, n, channels, in[0].data(), in[1].data(), out[0].data());
   };
   operation.tolerance = [n](const Operation::Item&, const Operation::Item&, size_t, size_t) {
     return RotateTolerance(n);
@@ -68,27 +83,77 @@ Operation RotateOperation(uint32_t n, uint32_t channels, By by) {
   return operation;
 }
 
+// The same rotation for all items.
+Operation RotateOneOperation(uint32_t n, uint32_t channels, By by) {
+  Operation operation = RotateOperation(n, channels, by);
+  operation.name += "/one";
+  operation.inputs = {operation.inputs[1]};
+  Random random(n + 100 * channels);
+  std::vector<float> rotation(RotationPlanes(by));
+  MakeRotation(random, by, rotation.data());
+  operation.call = [=](size_t count, const Operation::Views& in, const Operation::Views& out) {
+    std::vector<float> data = rotation;
+    gaunt_view one;
+    gaunt_view_broadcast(data.data(), &one);
+    return RotateFunction(by)(n, channels, count, &one, in[0], out[0]);
+  };
+  operation.make = [planes = operation.inputs[0]](Random& values, size_t, float* out) {
+    values.Fill(out, planes, -1.0, 1.0);
+  };
+  operation.reference = [=](const Operation::Item& in, Operation::Item& out) {
+    const std::vector<double> exact(rotation.begin(), rotation.end());
+    Reference(by, n, channels, exact.data(), in[0].data(), out[0].data());
+  };
+  operation.tolerance = [n](const Operation::Item&, const Operation::Item&, size_t, size_t) {
+    return RotateOneTolerance(n);
+  };
+  operation.in_place = {0};
+  return operation;
+}
+
 class Rotate : public TargetTest {};
 
-TEST_P(Rotate, MatchesTheDefinitionInEveryLayout) {
-  for (const uint32_t n : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 10u, 11u, 16u}) {
-    for (const uint32_t channels : {1u, 3u, 4u}) {
-      if (n > 6 && channels == 4) continue;
+// Orders above 6 share one kernel, channel by channel.
+std::vector<uint32_t> ChannelsOf(uint32_t n) {
+  return n <= 6 ? std::vector<uint32_t>{1, 3, 4} : std::vector<uint32_t>{n % 3 == 0 ? 2u : 1u};
+}
+
+TEST_P(Rotate, QuaternionsMatchTheDefinitionInEveryLayout) {
+  for (uint32_t n = 1; n <= GAUNT_MAX_ROTATE_ORDER; ++n) {
+    for (const uint32_t channels : ChannelsOf(n)) {
       TestBatches(RotateOperation(n, channels, By::kQuaternion));
+    }
+  }
+}
+
+TEST_P(Rotate, MatricesMatchTheDefinitionInEveryLayout) {
+  for (uint32_t n = 1; n <= GAUNT_MAX_ROTATE_ORDER; ++n) {
+    for (const uint32_t channels : ChannelsOf(n)) {
       TestBatches(RotateOperation(n, channels, By::kMatrix));
     }
   }
 }
 
-TEST_P(Rotate, RejectsWrongArguments) {
+TEST_P(Rotate, OneForAllMatchesTheDefinitionInEveryLayout) {
   for (uint32_t n = 1; n <= GAUNT_MAX_ROTATE_ORDER; ++n) {
+    for (const uint32_t channels : ChannelsOf(n)) {
+      TestBatches(RotateOneOperation(n, channels, n % 2 == 0 ? By::kQuaternion : By::kMatrix));
+    }
+  }
+}
+
+TEST_P(Rotate, RejectsWrongArguments) {
+  for (const uint32_t n : {1u, 2u, 3u, 4u, 6u, 7u, 16u}) {
     TestErrors(RotateOperation(n, 3, By::kQuaternion));
     TestErrors(RotateOperation(n, 3, By::kMatrix));
   }
-  EXPECT_EQ(gaunt_rotate(0, 1, 0, nullptr, nullptr, nullptr), GAUNT_ERROR_ORDER);
-  EXPECT_EQ(gaunt_rotate(17, 1, 0, nullptr, nullptr, nullptr), GAUNT_ERROR_ORDER);
-  EXPECT_EQ(gaunt_rotate_matrix(3, 0, 0, nullptr, nullptr, nullptr), GAUNT_ERROR_RANGE);
-  EXPECT_EQ(gaunt_rotate_matrix(3, 5, 0, nullptr, nullptr, nullptr), GAUNT_ERROR_RANGE);
+  for (const By by : {By::kQuaternion, By::kMatrix}) {
+    const auto rotate = RotateFunction(by);
+    EXPECT_EQ(rotate(0, 1, 0, nullptr, nullptr, nullptr), GAUNT_ERROR_ORDER);
+    EXPECT_EQ(rotate(17, 1, 0, nullptr, nullptr, nullptr), GAUNT_ERROR_ORDER);
+    EXPECT_EQ(rotate(3, 0, 0, nullptr, nullptr, nullptr), GAUNT_ERROR_RANGE);
+    EXPECT_EQ(rotate(3, 5, 0, nullptr, nullptr, nullptr), GAUNT_ERROR_RANGE);
+  }
   // A rotation that has as many planes as the output is still no place for it.
   float matrix[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, in[9] = {};
   gaunt_view vm, vi;
@@ -98,73 +163,80 @@ TEST_P(Rotate, RejectsWrongArguments) {
   EXPECT_EQ(matrix[0], 1.0f);
 }
 
-TEST_P(Rotate, MatchesGoldenMatrices) {
-  std::map<std::string, std::vector<double>> cases;
-  for (const auto& row : ReadGolden("rotation_cases.csv")) {
-    for (size_t k = 1; k <= 9; ++k) cases[row[0]].push_back(std::stod(row[k]));
-  }
-  for (const auto& row : ReadGolden("rotation_order3.csv")) {
-    const int l = std::stoi(row[1]), m_out = std::stoi(row[2]), m_in = std::stoi(row[3]);
-    float matrix[9], in[9] = {}, out[9];
-    for (size_t k = 0; k < 9; ++k) matrix[k] = static_cast<float>(cases.at(row[0])[k]);
-    in[l * (l + 1) + m_in] = 1.0f;
-    gaunt_view vm, vi, vo;
-    gaunt_view_broadcast(matrix, &vm);
-    gaunt_view_interleaved(in, 9, &vi);
-    gaunt_view_interleaved(out, 9, &vo);
-    ASSERT_EQ(gaunt_rotate_matrix(3, 1, 1, &vm, &vi, &vo), GAUNT_OK);
-    ASSERT_NEAR(out[l * (l + 1) + m_out], std::stod(row[4]), 4e-7) << row[0] << " band " << l;
-  }
-}
-
-TEST_P(Rotate, KeepsEnergyAndUndoesItself) {
-  Random random(11);
-  for (int trial = 0; trial < 500; ++trial) {
-    float q[4], inverse[4], f[9], there[9], back[9];
-    random.Fill(q, 4, -1.0, 1.0);
-    random.Fill(f, 9, -1.0, 1.0);
-    for (int k = 0; k < 4; ++k) inverse[k] = k < 3 ? -q[k] : q[k];
-    gaunt_view vq, vi, vf, vt, vb;
-    gaunt_view_interleaved(q, 4, &vq);
-    gaunt_view_interleaved(inverse, 4, &vi);
-    gaunt_view_interleaved(f, 9, &vf);
-    gaunt_view_interleaved(there, 9, &vt);
-    gaunt_view_interleaved(back, 9, &vb);
-    ASSERT_EQ(gaunt_rotate(3, 1, 1, &vq, &vf, &vt), GAUNT_OK);
-    ASSERT_EQ(gaunt_rotate(3, 1, 1, &vi, &vt, &vb), GAUNT_OK);
-    double before = 0.0, after = 0.0;
-    for (int i = 0; i < 9; ++i) {
-      ASSERT_NEAR(back[i], f[i], 2 * RotateTolerance(3));
-      before += double{f[i]} * double{f[i]};
-      after += double{there[i]} * double{there[i]};
-    }
-    ASSERT_NEAR(before, after, 1e-5);
-  }
-}
-
-TEST_P(Rotate, MovesALobeForwards) {
-  // A quarter turn about z takes +x to +y.
-  float q[4] = {0, 0, std::sqrt(0.5f), std::sqrt(0.5f)};
-  float x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, lobe[9], wanted[9], moved[9];
-  gaunt_view vq, vx, vy, vl, vw, vm;
-  gaunt_view_interleaved(q, 4, &vq);
-  gaunt_view_interleaved(x, 3, &vx);
-  gaunt_view_interleaved(y, 3, &vy);
-  gaunt_view_interleaved(lobe, 9, &vl);
-  gaunt_view_interleaved(wanted, 9, &vw);
-  gaunt_view_interleaved(moved, 9, &vm);
-  ASSERT_EQ(gaunt_basis_eval(3, 1, &vx, &vl), GAUNT_OK);
-  ASSERT_EQ(gaunt_basis_eval(3, 1, &vy, &vw), GAUNT_OK);
-  ASSERT_EQ(gaunt_rotate(3, 1, 1, &vq, &vl, &vm), GAUNT_OK);
-  for (int i = 0; i < 9; ++i) EXPECT_NEAR(moved[i], wanted[i], 5e-7);
-}
-
 TEST(RotateBits, AreTheSameOnTargetsOfAClass) {
-  TestSameBits(RotateOperation(3, 3, By::kQuaternion));
-  TestSameBits(RotateOperation(3, 3, By::kMatrix));
+  for (const uint32_t n : {2u, 3u, 4u, 5u, 6u, 7u, 16u}) {
+    TestSameBits(RotateOperation(n, 3, By::kQuaternion));
+    TestSameBits(RotateOperation(n, 3, By::kMatrix));
+    TestSameBits(RotateOneOperation(n, 3, By::kQuaternion));
+    TestSameBits(RotateOneOperation(n, 3, By::kMatrix));
+  }
+}
+
+class RotationCheck : public TargetTest {};
+
+// Of 9 planes of floats, the definition in double.
+double DeviationReference(const float* m) {
+  double worst = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      double dot = i == j ? -1.0 : 0.0;
+      for (int k = 0; k < 3; ++k) dot += double{m[3 * k + i]} * double{m[3 * k + j]};
+      worst = std::max(worst, std::abs(dot));
+    }
+  }
+  return worst;
+}
+
+TEST_P(RotationCheck, FindsTheWorstMatrix) {
+  Random random(31);
+  for (const size_t count : {1u, 3u, 7u, 8u, 9u, 16u, 17u, 127u, 128u, 129u, 400u}) {
+    for (const size_t bad : {size_t{0}, count / 2, count - 1}) {
+      for (const float size : {1e-6f, 1e-3f, 0.3f, 1e3f}) {
+        std::vector<float> matrices(9 * count);
+        double wanted = 0.0;
+        for (size_t i = 0; i < count; ++i) {
+          MakeRotation(random, By::kMatrix, matrices.data() + 9 * i);
+          if (i == bad) matrices[9 * i + random.Bits() % 9] += size;
+          wanted = std::max(wanted, DeviationReference(matrices.data() + 9 * i));
+        }
+        gaunt_view view;
+        gaunt_view_interleaved(matrices.data(), 9, &view);
+        float worst = -1.0f;
+        ASSERT_EQ(gaunt_rotation_check(count, &view, &worst), GAUNT_OK);
+        ASSERT_NEAR(worst, wanted, 4e-7 * (1.0 + wanted));
+        for (const float no_number : {std::numeric_limits<float>::quiet_NaN(),
+                                      std::numeric_limits<float>::infinity(), 2e38f}) {
+          std::vector<float> spoilt = matrices;
+          spoilt[9 * bad + random.Bits() % 9] = no_number;
+          gaunt_view_interleaved(spoilt.data(), 9, &view);
+          ASSERT_EQ(gaunt_rotation_check(count, &view, &worst), GAUNT_OK);
+          ASSERT_EQ(worst, std::numeric_limits<float>::infinity());
+        }
+      }
+    }
+  }
+}
+
+TEST_P(RotationCheck, RejectsWrongArguments) {
+  float matrix[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, worst = 7.0f;
+  gaunt_view view;
+  gaunt_view_interleaved(matrix, 9, &view);
+  EXPECT_EQ(gaunt_rotation_check(1, &view, nullptr), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_rotation_check(1, nullptr, &worst), GAUNT_ERROR_NULL);
+  gaunt_view bad = view;
+  bad.data = nullptr;
+  EXPECT_EQ(gaunt_rotation_check(1, &bad, &worst), GAUNT_ERROR_NULL);
+  bad = view;
+  bad.plane_stride = 6;
+  EXPECT_EQ(gaunt_rotation_check(1, &bad, &worst), GAUNT_ERROR_LAYOUT);
+  EXPECT_EQ(gaunt_rotation_check(SIZE_MAX, &view, &worst), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(worst, 7.0f);
+  EXPECT_EQ(gaunt_rotation_check(0, nullptr, &worst), GAUNT_OK);
+  EXPECT_EQ(worst, 0.0f);
 }
 
 GAUNT_INSTANTIATE_TARGETS(Rotate);
+GAUNT_INSTANTIATE_TARGETS(RotationCheck);
 
 }  // namespace
 }  // namespace gaunt::test

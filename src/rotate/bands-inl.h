@@ -165,10 +165,10 @@ struct RotateBand {
       to(l, from(l));
     } else {
       const auto even = from(l + m), odd = from(l - m);
-      to(l + m, MulSub(even, turns(CosineSlot(turn, m)),
-                       Mul(odd, turns(SineSlot(turn_of_sines, m)))));
-      to(l - m, MulAdd(even, turns(SineSlot(turn, m)),
-                       Mul(odd, turns(CosineSlot(turn_of_sines, m)))));
+      to(l + m,
+         MulSub(even, turns(CosineSlot(turn, m)), Mul(odd, turns(SineSlot(turn_of_sines, m)))));
+      to(l - m,
+         MulAdd(even, turns(SineSlot(turn, m)), Mul(odd, turns(CosineSlot(turn_of_sines, m)))));
     }
   }
 

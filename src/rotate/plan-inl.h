@@ -69,8 +69,7 @@ struct ApplyBand {
   }
   template <class K, class From, class Out, int... m>
   static GAUNT_LANES void Last(const K& k, const float* tangents, const PairOffsets& offsets,
-                               const From& from, const Out& out,
-                               std::integer_sequence<int, m...>) {
+                               const From& from, const Out& out, std::integer_sequence<int, m...>) {
     (LastPair<m>(k, tangents, offsets, from, out), ...);
   }
   template <class K, class From, class To, int... row>

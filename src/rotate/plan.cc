@@ -131,8 +131,8 @@ class WignerColumns {
 void MakePlan(int order, const double quaternion[4], bool mirror_y, Plan& plan) {
   const EulerAngles angles = AnglesOf(quaternion);
   // A mirror of y reverses the turns that it is moved over, and negates the sines.
-  Factors first = PlanTurn(order, mirror_y ? Conjugate(angles.gamma) : angles.gamma,
-                           Place::kBefore, plan.first);
+  Factors first = PlanTurn(order, mirror_y ? Conjugate(angles.gamma) : angles.gamma, Place::kBefore,
+                           plan.first);
   if (mirror_y) {
     for (double& factor : first.of_sine) factor = -factor;
   }
@@ -182,14 +182,10 @@ void PlanMatrix(int order, const float matrix[9], Plan& plan) {
   // Four times the products of a unit quaternion's components x y z w: each row is the quaternion
   // times one of them, and that of the largest has the fewest rounding errors.
   const double products[4][4] = {
-      {1.0 + r[0][0] - r[1][1] - r[2][2], r[0][1] + r[1][0], r[0][2] + r[2][0],
-       r[2][1] - r[1][2]},
-      {r[0][1] + r[1][0], 1.0 - r[0][0] + r[1][1] - r[2][2], r[1][2] + r[2][1],
-       r[0][2] - r[2][0]},
-      {r[0][2] + r[2][0], r[1][2] + r[2][1], 1.0 - r[0][0] - r[1][1] + r[2][2],
-       r[1][0] - r[0][1]},
-      {r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1],
-       1.0 + r[0][0] + r[1][1] + r[2][2]}};
+      {1.0 + r[0][0] - r[1][1] - r[2][2], r[0][1] + r[1][0], r[0][2] + r[2][0], r[2][1] - r[1][2]},
+      {r[0][1] + r[1][0], 1.0 - r[0][0] + r[1][1] - r[2][2], r[1][2] + r[2][1], r[0][2] - r[2][0]},
+      {r[0][2] + r[2][0], r[1][2] + r[2][1], 1.0 - r[0][0] - r[1][1] + r[2][2], r[1][0] - r[0][1]},
+      {r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1], 1.0 + r[0][0] + r[1][1] + r[2][2]}};
   int largest = 0;
   for (int i = 1; i < 4; ++i) {
     if (products[i][i] > products[largest][largest]) largest = i;

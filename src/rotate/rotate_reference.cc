@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <numeric>
 #include <vector>
 
 #include "basis/basis_reference.h"
-#include "evaluate/evaluate_reference.h"
 
 namespace gaunt::rotate {
 namespace {
@@ -30,6 +32,40 @@ void GaussLegendre(int n, std::vector<double>* nodes, std::vector<double>* weigh
     nodes->push_back(x);
     weights->push_back(2.0 / ((1.0 - x * x) * slope * slope));
   }
+}
+
+// Exact for the product of two functions of an order.
+struct Quadrature {
+  struct Node {
+    double s[3];
+    double weight;
+    std::vector<double> y;  // the basis
+  };
+  std::vector<Node> nodes;
+
+  explicit Quadrature(int order) {
+    std::vector<double> z, weights;
+    GaussLegendre(order, &z, &weights);
+    const int columns = 2 * order;
+    const double turn = 2.0 * std::acos(-1.0) / columns;
+    for (size_t row = 0; row < z.size(); ++row) {
+      const double r = std::sqrt(1.0 - z[row] * z[row]);
+      for (int column = 0; column < columns; ++column) {
+        Node node = {{r * std::cos(turn * column), r * std::sin(turn * column), z[row]},
+                     weights[row] * turn,
+                     std::vector<double>(static_cast<size_t>(order * order))};
+        basis::EvalReference(order, node.s, node.y.data());
+        nodes.push_back(std::move(node));
+      }
+    }
+  }
+};
+
+const Quadrature& QuadratureOf(int order) {
+  static std::mutex mutex;
+  static std::map<int, Quadrature> known;
+  const std::lock_guard<std::mutex> lock(mutex);
+  return known.try_emplace(order, order).first->second;
 }
 
 }  // namespace
@@ -58,26 +94,23 @@ void MatrixReference(const double quaternion[4], double matrix[9]) {
   }
 }
 
-// out_i = int f(R^-1 s) y_i(s) ds, by a quadrature that is exact for the product of two such
-// functions.
-void RotateReference(int order, const double matrix[9], const double* in, double* out) {
-  std::vector<double> nodes, weights;
-  GaussLegendre(order, &nodes, &weights);
-  const int columns = 2 * order;
-  const double turn = 2.0 * std::acos(-1.0) / columns;
-  std::vector<double> y(static_cast<size_t>(order * order));
-  std::fill(out, out + order * order, 0.0);
-  for (size_t row = 0; row < nodes.size(); ++row) {
-    const double r = std::sqrt(1.0 - nodes[row] * nodes[row]);
-    for (int column = 0; column < columns; ++column) {
-      const double s[3] = {r * std::cos(turn * column), r * std::sin(turn * column), nodes[row]};
-      double back[3];  // R^-1 = R^T
-      for (int i = 0; i < 3; ++i) {
-        back[i] = matrix[i] * s[0] + matrix[3 + i] * s[1] + matrix[6 + i] * s[2];
-      }
-      const double value = evaluate::ShReference(order, in, back) * weights[row] * turn;
-      basis::EvalReference(order, s, y.data());
-      for (size_t i = 0; i < y.size(); ++i) out[i] += value * y[i];
+// out_i = int f(R^-1 s) y_i(s) ds.
+void RotateReference(int order, size_t channels, const double matrix[9], const double* in,
+                     double* out) {
+  const Quadrature& quadrature = QuadratureOf(order);
+  const size_t coefficients = static_cast<size_t>(order * order);
+  std::vector<double> there(coefficients);
+  std::fill(out, out + channels * coefficients, 0.0);
+  for (const Quadrature::Node& node : quadrature.nodes) {
+    double back[3];  // R^-1 = R^T
+    for (int i = 0; i < 3; ++i) {
+      back[i] = matrix[i] * node.s[0] + matrix[3 + i] * node.s[1] + matrix[6 + i] * node.s[2];
+    }
+    basis::EvalReference(order, back, there.data());
+    for (size_t c = 0; c < channels; ++c) {
+      const double* const f = in + c * coefficients;
+      const double value = std::inner_product(there.begin(), there.end(), f, 0.0) * node.weight;
+      for (size_t i = 0; i < coefficients; ++i) out[c * coefficients + i] += value * node.y[i];
     }
   }
 }

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// Accuracy of rotation: against golden matrices, near the poles where angles fail, and against what
+// rotations have in common.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "gaunt/gaunt.h"
+#include "rotate/rotate_reference.h"
+#include "rotate/turn.h"
+#include "tests/rotate_tolerance.h"
+#include "tests/support/golden.h"
+#include "tests/support/random.h"
+#include "tests/support/targets.h"
+
+namespace gaunt::test {
+namespace {
+
+using Floats = std::vector<float>;
+constexpr size_t kCoefficients = 36;  // of order 6
+
+// Items of floats, back to back, or one for all of them.
+gaunt_view ViewOf(Floats& items, size_t planes, bool one = false) {
+  gaunt_view view;
+  if (one) {
+    gaunt_view_broadcast(items.data(), &view);
+  } else {
+    gaunt_view_interleaved(items.data(), planes, &view);
+  }
+  return view;
+}
+
+// Rotates items of n^2 coefficients by quaternions or, if there are 9 floats of each, by matrices.
+Floats Rotated(uint32_t n, Floats rotations, Floats in, size_t planes, bool one = false) {
+  const size_t count = in.size() / (n * n);
+  Floats out(in.size());
+  const gaunt_view vr = ViewOf(rotations, planes, one), vi = ViewOf(in, n * n),
+                   vo = ViewOf(out, n * n);
+  EXPECT_EQ((planes == 4 ? gaunt_rotate : gaunt_rotate_matrix)(n, 1, count, &vr, &vi, &vo),
+            GAUNT_OK);
+  return out;
+}
+
+// Unit vectors of coefficients: rotating them gives the columns of the matrix.
+Floats UnitItems(uint32_t n) {
+  const size_t coefficients = n * n;
+  Floats items(coefficients * coefficients, 0.0f);
+  for (size_t i = 0; i < coefficients; ++i) items[i * coefficients + i] = 1.0f;
+  return items;
+}
+
+Floats Repeated(const Floats& item, size_t times) {
+  Floats items;
+  for (size_t i = 0; i < times; ++i) items.insert(items.end(), item.begin(), item.end());
+  return items;
+}
+
+Floats RandomItems(Random& random, size_t floats) {
+  Floats items(floats);
+  random.Fill(items.data(), floats, -1.0, 1.0);
+  return items;
+}
+
+class RotateAccuracy : public TargetTest {};
+
+TEST_P(RotateAccuracy, MatchesGoldenMatrices) {
+  std::map<std::string, Floats> cases, golden;
+  for (const auto& row : ReadGolden("rotation_cases.csv")) {
+    for (size_t k = 1; k <= 9; ++k) cases[row[0]].push_back(std::stof(row[k]));
+  }
+  for (const auto& row : ReadGolden("rotation_order6.csv")) {
+    const int l = std::stoi(row[1]), out = l * (l + 1) + std::stoi(row[2]),
+              in = l * (l + 1) + std::stoi(row[3]);
+    Floats& columns = golden.try_emplace(row[0], kCoefficients * kCoefficients).first->second;
+    columns[static_cast<size_t>(in) * kCoefficients + static_cast<size_t>(out)] = std::stof(row[4]);
+  }
+  ASSERT_EQ(golden.size(), 12u);
+  for (const auto& [name, columns] : golden) {
+    for (const bool one : {false, true}) {
+      const Floats matrices = one ? cases.at(name) : Repeated(cases.at(name), kCoefficients);
+      const Floats found = Rotated(6, matrices, UnitItems(6), 9, one);
+      for (size_t i = 0; i < found.size(); ++i) {
+        ASSERT_NEAR(found[i], columns[i], one ? 4e-7 : 2e-6) << name << " entry " << i;
+      }
+    }
+  }
+}
+
+// Quaternions with x and y times `tilt`, or, about axes, with only w and one of the others.
+enum class Kind { kRandom, kAboutAxes, kTilt3, kTilt6, kTilt3FromPi, kTilt6FromPi };
+Floats MakeQuaternions(Random& random, Kind kind, size_t count) {
+  Floats q = RandomItems(random, 4 * count);
+  for (size_t i = 0; i < count; ++i) {
+    float* const item = q.data() + 4 * i;
+    const float tilt = kind == Kind::kTilt3 || kind == Kind::kTilt3FromPi ? 1e-3f : 1e-6f;
+    switch (kind) {
+      case Kind::kRandom: break;
+      case Kind::kAboutAxes:
+        for (size_t k = 0; k < 3; ++k) item[k] *= k == i % 3 ? 1.0f : 0.0f;
+        break;
+      case Kind::kTilt3:
+      case Kind::kTilt6: item[0] *= tilt, item[1] *= tilt; break;
+      case Kind::kTilt3FromPi:
+      case Kind::kTilt6FromPi: item[2] *= tilt, item[3] *= tilt; break;
+    }
+  }
+  return q;
+}
+
+// Coefficients in [-1, 1] of order 6.
+TEST_P(RotateAccuracy, HoldsNearThePoles) {
+  constexpr size_t kCount = 400;
+  Random random(3);
+  for (const Kind kind : {Kind::kRandom, Kind::kAboutAxes, Kind::kTilt3, Kind::kTilt6,
+                          Kind::kTilt3FromPi, Kind::kTilt6FromPi}) {
+    const Floats quaternions = MakeQuaternions(random, kind, kCount);
+    const Floats in = RandomItems(random, kCount * kCoefficients);
+    Floats matrices(9 * kCount), mirrors(9 * kCount);
+    std::vector<double> wanted(in.size());
+    for (size_t i = 0; i < kCount; ++i) {
+      const std::vector<double> q(quaternions.begin() + 4 * i, quaternions.begin() + 4 * i + 4);
+      const std::vector<double> f(in.begin() + kCoefficients * i,
+                                  in.begin() + kCoefficients * (i + 1));
+      double matrix[9];
+      rotate::MatrixReference(q.data(), matrix);
+      rotate::RotateReference(6, 1, matrix, f.data(), wanted.data() + kCoefficients * i);
+      for (size_t k = 0; k < 9; ++k) {
+        matrices[9 * i + k] = static_cast<float>(matrix[k]);
+        mirrors[9 * i + k] = -matrices[9 * i + k];
+      }
+    }
+    const Floats by_quaternion = Rotated(6, quaternions, in, 4);
+    const Floats by_matrix = Rotated(6, matrices, in, 9), mirrored = Rotated(6, mirrors, in, 9);
+    for (size_t i = 0; i < in.size(); ++i) {
+      ASSERT_NEAR(by_quaternion[i], wanted[i], RotateTolerance(6)) << static_cast<int>(kind);
+      ASSERT_NEAR(by_matrix[i], wanted[i], RotateTolerance(6)) << static_cast<int>(kind);
+      const bool odd = static_cast<int>(std::sqrt(i % kCoefficients)) % 2 != 0;
+      ASSERT_NEAR(mirrored[i], odd ? -wanted[i] : wanted[i], RotateTolerance(6));
+    }
+    // One for all.
+    for (size_t i = 0; i < kCount; i += 20) {
+      const Floats item(in.begin() + kCoefficients * i, in.begin() + kCoefficients * (i + 1));
+      const Floats two =
+          Rotated(6, Floats(quaternions.begin() + 4 * i, quaternions.begin() + 4 * i + 4),
+                  Repeated(item, 2), 4, true);
+      for (size_t k = 0; k < kCoefficients; ++k) {
+        ASSERT_NEAR(two[k], wanted[kCoefficients * i + k], RotateOneTolerance(6));
+      }
+    }
+  }
+}
+
+// The way of textbooks fails there, so the test above tests something: beta = acos(R22) in float.
+TEST(RotateStability, AnglesFromTheArcCosineFailNearThePoles) {
+  double worst = 0.0;
+  for (const float tilt : {1e-4f, 3e-4f, 1e-3f}) {
+    const float cosine = static_cast<float>(std::cos(double{tilt}));
+    worst = std::max(worst, double{std::abs(std::acos(cosine) - tilt)});
+  }
+  EXPECT_GT(worst, 1e-5);
+}
+
+TEST_P(RotateAccuracy, MatrixEntriesAreWithin2e6) {
+  Random random(8);
+  for (const Kind kind : {Kind::kRandom, Kind::kAboutAxes, Kind::kTilt3, Kind::kTilt6,
+                          Kind::kTilt3FromPi, Kind::kTilt6FromPi}) {
+    const Floats quaternions = MakeQuaternions(random, kind, 12);
+    for (size_t i = 0; i < 12; ++i) {
+      const Floats q(quaternions.begin() + 4 * i, quaternions.begin() + 4 * i + 4);
+      const double exact[4] = {q[0], q[1], q[2], q[3]};
+      double matrix[9];
+      rotate::MatrixReference(exact, matrix);
+      const Floats each = Rotated(6, Repeated(q, kCoefficients), UnitItems(6), 4);
+      const Floats one = Rotated(6, q, UnitItems(6), 4, true);
+      for (size_t in = 0; in < kCoefficients; ++in) {
+        std::vector<double> unit(kCoefficients), column(kCoefficients);
+        unit[in] = 1.0;
+        rotate::RotateReference(6, 1, matrix, unit.data(), column.data());
+        for (size_t out = 0; out < kCoefficients; ++out) {
+          ASSERT_NEAR(each[in * kCoefficients + out], column[out], 1e-6);
+          ASSERT_NEAR(one[in * kCoefficients + out], column[out], 2e-7);
+        }
+      }
+    }
+  }
+}
+
+// Columns are orthonormal, at every order.
+TEST_P(RotateAccuracy, IsOrthogonal) {
+  Random random(21);
+  for (uint32_t n = 1; n <= GAUNT_MAX_ROTATE_ORDER; ++n) {
+    const size_t coefficients = n * n;
+    const Floats q = RandomItems(random, 4);
+    for (const bool one : {false, true}) {
+      const Floats columns =
+          Rotated(n, one ? q : Repeated(q, coefficients), UnitItems(n), 4, one && n > 1);
+      for (size_t a = 0; a < coefficients; ++a) {
+        for (size_t b = a; b < std::min(coefficients, a + 40); ++b) {
+          double dot = a == b ? -1.0 : 0.0;
+          for (size_t i = 0; i < coefficients; ++i) {
+            dot += double{columns[a * coefficients + i]} * double{columns[b * coefficients + i]};
+          }
+          ASSERT_NEAR(dot, 0.0, one ? 1e-6 : 4e-6) << "order " << n << ": " << a << " " << b;
+        }
+      }
+    }
+  }
+}
+
+// Two rotations are their product, and a rotation and its inverse are none.
+TEST_P(RotateAccuracy, Composes) {
+  Random random(5);
+  for (uint32_t n = 1; n <= GAUNT_MAX_ROTATE_ORDER; ++n) {
+    for (int trial = 0; trial < 20; ++trial) {
+      const Floats a = RandomItems(random, 4), b = RandomItems(random, 4);
+      const auto product = [](const Floats& p, const Floats& q) {  // p after q
+        return Floats{p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1],
+                      p[3] * q[1] - p[0] * q[2] + p[1] * q[3] + p[2] * q[0],
+                      p[3] * q[2] + p[0] * q[1] - p[1] * q[0] + p[2] * q[3],
+                      p[3] * q[3] - p[0] * q[0] - p[1] * q[1] - p[2] * q[2]};
+      };
+      const Floats f = RandomItems(random, n * n);
+      const Floats twice = Rotated(n, b, Rotated(n, a, f, 4), 4);
+      const Floats once = Rotated(n, product(b, a), f, 4);
+      const Floats inverse = {-a[0], -a[1], -a[2], a[3]};
+      const Floats back = Rotated(n, inverse, Rotated(n, a, f, 4), 4);
+      // Float products of quaternions are off by 1e-7, which a band multiplies by l.
+      const double tolerance = 3.0 * RotateTolerance(n) + 5e-7 * n;
+      for (size_t i = 0; i < f.size(); ++i) {
+        ASSERT_NEAR(twice[i], once[i], tolerance) << "order " << n;
+        ASSERT_NEAR(back[i], f[i], 2.0 * RotateTolerance(n)) << "order " << n;
+      }
+    }
+  }
+}
+
+// All 48 matrices that only swap and mirror axes. Those that keep the z axis on its line move and
+// negate coefficients, to the bit; the others have no angle that could be off.
+TEST_P(RotateAccuracy, MirrorsAndSwapsOfAxesAreExact) {
+  Random random(17);
+  int exact = 0;
+  for (uint32_t n = 1; n <= GAUNT_MAX_ROTATE_ORDER; ++n) {
+    const size_t coefficients = n * n;
+    const Floats in = RandomItems(random, 2 * coefficients);
+    int order[3] = {0, 1, 2};
+    do {
+      for (int signs = 0; signs < 8; ++signs) {
+        Floats matrix(9, 0.0f);
+        for (int row = 0; row < 3; ++row) {
+          matrix[static_cast<size_t>(3 * row + order[row])] = signs >> row & 1 ? -1.0f : 1.0f;
+        }
+        const double exact_matrix[9] = {matrix[0], matrix[1], matrix[2], matrix[3], matrix[4],
+                                        matrix[5], matrix[6], matrix[7], matrix[8]};
+        std::vector<double> f(in.begin(), in.end()), wanted(in.size());
+        rotate::RotateReference(static_cast<int>(n), 2, exact_matrix, f.data(), wanted.data());
+        const Floats found = Rotated(n, matrix, in, 9, true);
+        for (size_t i = 0; i < in.size(); ++i) {
+          if (order[2] == 2) {
+            // The reference is off by 1e-13; the float nearest to it is one of the input's.
+            ASSERT_EQ(found[i], static_cast<float>(wanted[i])) << "order " << n;
+            ++exact;
+          } else {
+            ASSERT_NEAR(found[i], wanted[i], RotateOneTolerance(n)) << "order " << n;
+          }
+        }
+      }
+    } while (std::next_permutation(order, order + 3));
+  }
+  EXPECT_GT(exact, 10000);
+}
+
+TEST_P(RotateAccuracy, MovesALobeForwards) {
+  // A quarter turn about z takes +x to +y.
+  const float half = std::sqrt(0.5f);
+  Floats x = {1, 0, 0}, y = {0, 1, 0}, lobe(kCoefficients), wanted(kCoefficients);
+  const gaunt_view vx = ViewOf(x, 3), vy = ViewOf(y, 3), vl = ViewOf(lobe, 36),
+                   vw = ViewOf(wanted, 36);
+  ASSERT_EQ(gaunt_basis_eval(6, 1, &vx, &vl), GAUNT_OK);
+  ASSERT_EQ(gaunt_basis_eval(6, 1, &vy, &vw), GAUNT_OK);
+  const Floats moved = Rotated(6, {0, 0, half, half}, lobe, 4);
+  for (size_t i = 0; i < kCoefficients; ++i) EXPECT_NEAR(moved[i], wanted[i], 2e-6);
+}
+
+// Zero, and lengths up to those that squares of floats cannot hold.
+TEST_P(RotateAccuracy, TakesQuaternionsOfAnyStatedLength) {
+  Random random(2);
+  for (const uint32_t n : {3u, 6u, 10u}) {
+    const Floats q = RandomItems(random, 4), f = RandomItems(random, n * n);
+    const Floats wanted = Rotated(n, q, f, 4);
+    for (const float length : {1e-18f, 1e-9f, 1e9f, 1e18f}) {
+      Floats scaled = q;
+      for (float& x : scaled) x *= length;
+      const Floats found = Rotated(n, scaled, f, 4);
+      for (size_t i = 0; i < f.size(); ++i) ASSERT_NEAR(found[i], wanted[i], 3e-6) << length;
+    }
+    const Floats unturned = Rotated(n, {0, 0, 0, 0}, f, 4);
+    for (size_t i = 0; i < f.size(); ++i) ASSERT_NEAR(unturned[i], f[i], RotateTolerance(n));
+  }
+}
+
+// 1000 small rotations: of the coefficients each time; of a matrix, which then rotates once; of a
+// quaternion that is normalised, which then rotates once. gaunt.h advises the last.
+TEST_P(RotateAccuracy, DriftsLeastWhereAQuaternionIsKept) {
+  Random random(12);
+  const Floats f = RandomItems(random, kCoefficients);
+  const Floats step = {0.011f, -0.007f, 0.019f, 1.0f};
+  Floats coefficients = f, kept = {0, 0, 0, 1};
+  double exact[4] = {0, 0, 0, 1};
+  const auto product = [](const auto& p, const auto& q, auto* out) {
+    out[0] = p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1];
+    out[1] = p[3] * q[1] - p[0] * q[2] + p[1] * q[3] + p[2] * q[0];
+    out[2] = p[3] * q[2] + p[0] * q[1] - p[1] * q[0] + p[2] * q[3];
+    out[3] = p[3] * q[3] - p[0] * q[0] - p[1] * q[1] - p[2] * q[2];
+    const auto length =
+        std::sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3]);
+    for (int k = 0; k < 4; ++k) out[k] /= length;
+  };
+  for (int i = 0; i < 1000; ++i) {
+    coefficients = Rotated(6, step, coefficients, 4);
+    float next[4];
+    product(step, kept, next);
+    kept.assign(next, next + 4);
+    const double exact_step[4] = {step[0], step[1], step[2], step[3]};
+    double exact_next[4];
+    product(exact_step, exact, exact_next);
+    std::copy(exact_next, exact_next + 4, exact);
+  }
+  double matrix[9];
+  rotate::MatrixReference(exact, matrix);
+  std::vector<double> exact_f(f.begin(), f.end()), wanted(kCoefficients);
+  rotate::RotateReference(6, 1, matrix, exact_f.data(), wanted.data());
+  const Floats once = Rotated(6, kept, f, 4);
+  double again = 0.0, by_quaternion = 0.0;
+  for (size_t i = 0; i < kCoefficients; ++i) {
+    again = std::max(again, std::abs(coefficients[i] - wanted[i]));
+    by_quaternion = std::max(by_quaternion, std::abs(once[i] - wanted[i]));
+  }
+  EXPECT_LT(by_quaternion, 3e-5);
+  EXPECT_LT(by_quaternion, again);
+  EXPECT_LT(again, 1e-3);
+}
+
+GAUNT_INSTANTIATE_TARGETS(RotateAccuracy);
+
+}  // namespace
+}  // namespace gaunt::test

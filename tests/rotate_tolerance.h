@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What gaunt.h states of rotation, for coefficients in [-1, 1].
+#ifndef GAUNT_TESTS_ROTATE_TOLERANCE_H_
+#define GAUNT_TESTS_ROTATE_TOLERANCE_H_
+
+#include <cstdint>
+
+namespace gaunt::test {
+
+// One rotation for each item.
+constexpr double RotateTolerance(uint32_t n) { return n <= 6 ? 2e-6 : 5e-6; }
+// One rotation for all.
+constexpr double RotateOneTolerance(uint32_t n) { return n <= 6 ? 7e-7 : 1.5e-6; }
+
+}  // namespace gaunt::test
+
+#endif  // GAUNT_TESTS_ROTATE_TOLERANCE_H_
