@@ -16,6 +16,20 @@ BatchBenchmark BasisBenchmark(const std::string& op, uint32_t n, const std::stri
   return batch;
 }
 
+void RegisterBaseline(size_t n, const std::string& baseline,
+                      void (*loop)(size_t count, const float* directions, float* out)) {
+  ScalarBenchmark scalar;
+  scalar.name = "basis/eval/n" + std::to_string(n);
+  scalar.baseline = baseline;
+  scalar.inputs = {3};
+  scalar.output = n * n;
+  scalar.make = MakeDirection;
+  scalar.call = [loop](size_t count, const std::vector<const float*>& in, float* out) {
+    loop(count, in[0], out);
+  };
+  RegisterScalar(scalar);
+}
+
 simd::InView In(const gaunt_view& v) {
   return {reinterpret_cast<const unsigned char*>(v.data), v.item_stride, v.plane_stride,
           v.tile_stride, v.tile_items};
@@ -60,10 +74,10 @@ GAUNT_BENCHMARKS(basis) {
     };
     RegisterBatch(batch);
   }
-  RegisterScalar({"basis/eval/n3", "factored", 3, 9, BasisFactored3, MakeDirection});
-  RegisterScalar({"basis/eval/n6", "factored", 3, 36, BasisFactored6, MakeDirection});
-  RegisterScalar({"basis/eval/n3", "engine", 3, 9, BasisEngine3, MakeDirection});
-  RegisterScalar({"basis/eval/n6", "engine", 3, 36, BasisEngine6, MakeDirection});
+  RegisterBaseline(3, "factored", BasisFactored3);
+  RegisterBaseline(6, "factored", BasisFactored6);
+  RegisterBaseline(3, "engine", BasisEngine3);
+  RegisterBaseline(6, "engine", BasisEngine6);
 
   BatchBenchmark normalize;
   normalize.name = "basis/directions_normalize/n1";

@@ -31,9 +31,16 @@ void RegisterEvaluate(const std::string& op, EvaluateFunction function, uint32_t
 }
 
 void RegisterIrradianceBaselines() {
-  const auto make = [](size_t item, size_t side, float* out) { MakeDirection(item, side, out); };
-  RegisterScalar(
-      {"evaluate/irradiance_one_probe/n3", "engine", 3, 3, IrradianceEngineOneProbe, make});
+  ScalarBenchmark scalar;
+  scalar.name = "evaluate/irradiance_one_probe/n3";
+  scalar.baseline = "engine";
+  scalar.inputs = {3};
+  scalar.output = 3;
+  scalar.make = MakeDirection;
+  scalar.call = [](size_t count, const std::vector<const float*>& in, float* out) {
+    IrradianceEngineOneProbe(count, in[0], out);
+  };
+  RegisterScalar(scalar);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Benchmarks of batched functions: every target and layout, with operations and limits beside
-// times. Names read family/op/n<order>/<layout>/<items>/<target>.
+// Benchmarks of batched functions: every target and layout, with operations, limits and errors
+// beside times. Names read family/op/n<order>/<layout>/<items>/<target>.
 #ifndef GAUNT_BENCH_SUPPORT_H_
 #define GAUNT_BENCH_SUPPORT_H_
 
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/accuracy.h"
 #include "gaunt/gaunt.h"
 #include "simd/count.h"
 
@@ -18,8 +19,6 @@ namespace gaunt::bench {
 
 // Sizes: in cache and not a power of two; the same with one; out of every cache.
 inline constexpr size_t kSmall = 1000, kPowerOfTwo = 1024, kLarge = 1u << 20;
-
-enum class Layout { kPlanar, kInterleaved, kTiled, kBroadcast };
 
 struct BatchBenchmark {
   using Views = std::vector<const gaunt_view*>;
@@ -35,18 +34,26 @@ struct BatchBenchmark {
   std::vector<size_t> broadcast;  // inputs that are one item for all
   // Bytes per item that are not in views: packed records, indices, weights.
   size_t more_read = 0, more_written = 0;
+  Reference reference;  // of the first output; where given, errors are measured
+  // The method in words: `gaunt chart` draws rows that have one, so that all of them in a family do
+  // the same job.
+  std::string label;
 };
 
 void RegisterBatch(const BatchBenchmark& batch);
 
 // A scalar loop over interleaved items, for comparison:
-// family/op/n<order>/interleaved/<items>/<name>.
+// family/op/n<order>/interleaved/<items>/<baseline>.
 struct ScalarBenchmark {
-  std::string name;      // family/op/n<order>
-  std::string baseline;  // "scalar"
-  size_t input, output;  // planes
-  std::function<void(size_t count, const float* in, float* out)> call;
+  std::string name;            // family/op/n<order>
+  std::string baseline;        // "scalar"
+  std::vector<size_t> inputs;  // planes
+  size_t output = 0;
+  std::function<void(size_t count, const std::vector<const float*>& in, float* out)> call;
+  // As those of BatchBenchmark.
   std::function<void(size_t item, size_t side, float* planes)> make;
+  Reference reference;
+  std::string label;
 };
 void RegisterScalar(const ScalarBenchmark& scalar);
 
