@@ -2,29 +2,10 @@
 #include "bench/basis_baseline.h"
 
 #include "basis/basis-inl.h"
+#include "bench/scalar_lanes.h"
 
 namespace gaunt::bench {
 namespace {
-
-struct Scalar {
-  float value;
-};
-inline Scalar Mul(Scalar a, Scalar b) { return {a.value * b.value}; }
-inline Scalar MulAdd(Scalar a, Scalar b, Scalar c) { return {a.value * b.value + c.value}; }
-inline Scalar MulSub(Scalar a, Scalar b, Scalar c) { return {a.value * b.value - c.value}; }
-
-struct ScalarLanes {
-  using V = Scalar;
-  Scalar operator()(double c) const { return {static_cast<float>(c)}; }
-};
-struct ScalarIn {
-  const float* item;
-  Scalar operator()(size_t p) const { return {item[p]}; }
-};
-struct ScalarOut {
-  float* item;
-  void operator()(size_t p, Scalar v) const { item[p] = v.value; }
-};
 
 template <int n>
 void Factored(size_t count, const float* directions, float* out) {

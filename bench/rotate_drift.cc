@@ -118,7 +118,7 @@ struct KeptQuaternion {
 double SquaredError(const Coefficients& start, const Quaternion<double>& rotation,
                     const Coefficients& rotated) {
   std::array<double, kPlanes> exact;
-  rotate::RotateReference(kOrder, MatrixOf(rotation).data(), To<double>(start).data(),
+  rotate::RotateReference(kOrder, 1, MatrixOf(rotation).data(), To<double>(start).data(),
                           exact.data());
   double error = 0.0, norm = 0.0;
   for (size_t i = 0; i < kPlanes; ++i) {
