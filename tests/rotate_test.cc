@@ -83,7 +83,7 @@ Operation RotateOperation(uint32_t n, uint32_t channels, By by) {
   return operation;
 }
 
-// The same rotation for all items.
+// The same rotation for many items.
 Operation RotateOneOperation(uint32_t n, uint32_t channels, By by) {
   Operation operation = RotateOperation(n, channels, by);
   operation.name += "/one";
@@ -100,14 +100,29 @@ Operation RotateOneOperation(uint32_t n, uint32_t channels, By by) {
   operation.make = [planes = operation.inputs[0]](Random& values, size_t, float* out) {
     values.Fill(out, planes, -1.0, 1.0);
   };
+  // The matrix of the rotation, column by column.
+  const size_t coefficients = n * n;
+  const std::vector<double> exact(rotation.begin(), rotation.end());
+  std::vector<double> columns(coefficients * coefficients), unit(coefficients);
+  for (size_t i = 0; i < coefficients; ++i) {
+    unit[i] = 1.0;
+    Reference(by, n, 1, exact.data(), unit.data(), columns.data() + i * coefficients);
+    unit[i] = 0.0;
+  }
   operation.reference = [=](const Operation::Item& in, Operation::Item& out) {
-    const std::vector<double> exact(rotation.begin(), rotation.end());
-    Reference(by, n, channels, exact.data(), in[0].data(), out[0].data());
+    std::fill(out[0].begin(), out[0].end(), 0.0);
+    for (size_t p = 0; p < in[0].size(); ++p) {
+      double* const channel = out[0].data() + p / coefficients * coefficients;
+      const double* const column = columns.data() + p % coefficients * coefficients;
+      for (size_t i = 0; i < coefficients; ++i) channel[i] += in[0][p] * column[i];
+    }
   };
-  operation.tolerance = [n](const Operation::Item&, const Operation::Item&, size_t, size_t) {
-    return RotateOneTolerance(n);
-  };
+  // A matrix of floats is not quite orthonormal, and the reference takes it as it is.
+  const double tolerance = by == By::kQuaternion ? kRotateOneTolerance : RotateTolerance(n);
+  operation.tolerance = [tolerance](const Operation::Item&, const Operation::Item&, size_t,
+                                    size_t) { return tolerance; };
   operation.in_place = {0};
+  operation.extra_items = 255;  // from 256 items up, one rotation has a plan
   return operation;
 }
 

@@ -7,10 +7,9 @@
 
 namespace gaunt::test {
 
-// One rotation for each item.
 constexpr double RotateTolerance(uint32_t n) { return n <= 6 ? 2e-6 : 5e-6; }
-// One rotation for all.
-constexpr double RotateOneTolerance(uint32_t n) { return n <= 6 ? 7e-7 : 1.5e-6; }
+// One quaternion for 256 items or more.
+constexpr double kRotateOneTolerance = 7e-7;
 
 }  // namespace gaunt::test
 

@@ -42,6 +42,15 @@ enum AnglePlane {
   kAnglePlanes
 };
 
+// Planes of cos and sin of one angle, to length 1 once more by a step of Newton's: an error of the
+// length would grow with each power.
+template <class K, class V, class Out>
+GAUNT_LANES void PutAngle(const K& k, size_t plane, V c, V s, const Out& angles) {
+  const V correction = NegMulAdd(k(0.5), MulAdd(c, c, Mul(s, s)), k(1.5));
+  angles(plane, Mul(c, correction));
+  angles(plane + 1, Mul(s, correction));
+}
+
 // The angles of a quaternion of any length.
 struct AnglesFromQuaternion {
   template <class K, class In, class Out>
@@ -59,18 +68,18 @@ struct AnglesFromQuaternion {
     // and the middle one is 0 or pi.
     const auto pole = Lt(product, k(kPoleProduct));
     const auto upper = Gt(a, b);
+    const V larger = Max(a, b);
     const V re = IfThenElse(upper, w, x), im = IfThenElse(upper, z, y);
     const V last_c = IfThenElse(pole, MulSub(re, re, Mul(im, im)), MulSub(w, x, Mul(z, y)));
     const V last_s = IfThenElse(pole, Mul(Add(re, re), im), MulAdd(w, y, Mul(z, x)));
-    const V larger = Max(a, b);
     const V first_c = IfThenElse(pole, larger, MulAdd(w, x, Mul(z, y)));
     const V first_s = IfThenZeroElse(pole, MulSub(z, x, Mul(w, y)));
     const V middle_s = IfThenZeroElse(pole, Add(root, root));
     const V scale = Div(k(1.0), IfThenElse(pole, larger, root));
     const V inverse = Div(k(1.0), Add(a, b));
-    Put(k, kFirstCosine, first_c, first_s, scale, angles);
-    Put(k, kMiddleCosine, Sub(a, b), middle_s, inverse, angles);
-    Put(k, kLastCosine, last_c, last_s, scale, angles);
+    PutAngle(k, kFirstCosine, Mul(first_c, scale), Mul(first_s, scale), angles);
+    PutAngle(k, kMiddleCosine, Mul(Sub(a, b), inverse), Mul(middle_s, inverse), angles);
+    PutAngle(k, kLastCosine, Mul(last_c, scale), Mul(last_s, scale), angles);
   }
 
  private:
@@ -89,25 +98,44 @@ struct AnglesFromQuaternion {
     w = IfThenElse(zero, k(1.0), Mul(scale, w));
   }
   static constexpr double kSmallest = std::numeric_limits<float>::min();
-
-  // To length 1, once more by a step of Newton's: an error of the length grows with each power.
-  template <class K, class V, class Out>
-  static GAUNT_LANES void Put(const K& k, size_t plane, V c, V s, V scale, const Out& angles) {
-    c = Mul(c, scale), s = Mul(s, scale);
-    const V correction = NegMulAdd(k(0.5), MulAdd(c, c, Mul(s, s)), k(1.5));
-    angles(plane, Mul(c, correction));
-    angles(plane + 1, Mul(s, correction));
-  }
 };
 
-// The angles of an orthonormal matrix, after a mirror of y where its determinant is negative.
+// The angles of an orthonormal matrix R, after a mirror of y where its determinant is negative.
 struct AnglesFromMatrix {
   template <class K, class In, class Out>
-  GAUNT_LANES void operator()(const K& k, const In& matrix, const Out& angles) const {
-    typename K::template Slots<4> quaternion;
-    angles(kSineSign, QuaternionFromMatrix()(k, matrix, quaternion));
-    AnglesFromQuaternion()(k, quaternion, angles);
+  GAUNT_LANES void operator()(const K& k, const In& r, const Out& angles) const {
+    using V = typename K::V;
+    const V zero = k(0.0), one = k(1.0);
+    const V minor0 = MulSub(r(4), r(8), Mul(r(5), r(7)));
+    const V minor1 = MulSub(r(5), r(6), Mul(r(3), r(8)));
+    const V minor2 = MulSub(r(3), r(7), Mul(r(4), r(6)));
+    const V determinant = MulAdd(r(0), minor0, MulAdd(r(1), minor1, Mul(r(2), minor2)));
+    const V sign = IfThenElse(Lt(determinant, zero), k(-1.0), one);
+    angles(kSineSign, sign);
+    const V xy = Mul(sign, r(1)), yy = Mul(sign, r(4)), cosine = r(8);
+    // sin(beta) e^(i alpha) = -R_yz + i R_xz. Where that vanishes, gamma is all there is.
+    const V squared = MulAdd(r(2), r(2), Mul(r(5), r(5)));
+    const auto pole = Lt(squared, k(kPoleSquared));
+    const V sine = Sqrt(squared);
+    const V scale = Div(one, sine);
+    V c = IfThenElse(pole, one, Mul(Neg(r(5)), scale));
+    V s = IfThenZeroElse(pole, Mul(r(2), scale));
+    PutAngle(k, kMiddleCosine, cosine, sine, angles);
+    PutAngle(k, kLastCosine, c, s, angles);
+    // (1 + |cos(beta)|) e^(i (alpha +- gamma)), the sum where the cosine is positive. It holds where
+    // alpha and gamma by themselves do not.
+    const auto upper = Gt(cosine, zero);
+    const V half = Div(one, Add(one, Abs(cosine)));
+    const V re = Mul(half, Add(r(0), IfThenElse(upper, yy, Neg(yy))));
+    const V im = Mul(half, Add(r(3), IfThenElse(upper, Neg(xy), xy)));
+    const V first_s = MulSub(im, c, Mul(re, s));
+    PutAngle(k, kFirstCosine, MulAdd(re, c, Mul(im, s)), IfThenElse(upper, first_s, Neg(first_s)),
+             angles);
   }
+
+ private:
+  // Below it, sin(beta) is 1e-15 or less.
+  static constexpr double kPoleSquared = 1e-30;
 };
 
 // Slots of cos(m angle) and sin(m angle), m = 1 .. kMaxOrder - 1, of each turn.
@@ -140,6 +168,7 @@ template <int l>
 struct RotateBand {
   template <class K, class Slots, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const Slots& turns, const In& in, const Out& out) const {
+    if constexpr (l == 0) return out(0, in(0));
     typename K::template Slots<2 * l + 1> turned, swapped, back, middle;
     TurnAll<kFirstTurn, kFirstTurnOfSines>(turns, in, turned, Pairs());
     SwapAll(k, turned, swapped, Rows());

@@ -42,47 +42,6 @@ struct MatrixFromQuaternion {
   }
 };
 
-// A matrix of determinant +1 or -1 as the quaternion of a rotation, and the sign of a mirror of y
-// that goes before it: 1 for none, or -1.
-struct QuaternionFromMatrix {
-  template <class K, class In, class Out>
-  GAUNT_LANES typename K::V operator()(const K& k, const In& matrix, Out& quaternion) const {
-    using V = typename K::V;
-    const V one = k(1.0);
-    const V minor0 = MulSub(matrix(4), matrix(8), Mul(matrix(5), matrix(7)));
-    const V minor1 = MulSub(matrix(5), matrix(6), Mul(matrix(3), matrix(8)));
-    const V minor2 = MulSub(matrix(3), matrix(7), Mul(matrix(4), matrix(6)));
-    const V determinant =
-        MulAdd(matrix(0), minor0, MulAdd(matrix(1), minor1, Mul(matrix(2), minor2)));
-    const V sign = IfThenElse(Lt(determinant, k(0.0)), k(-1.0), one);
-    const V xy = Mul(sign, matrix(1)), yy = Mul(sign, matrix(4)), zy = Mul(sign, matrix(7));
-    const V xx = matrix(0), zz = matrix(8);
-    // Four times the products of a unit quaternion's components. Any of the four rows is the
-    // quaternion times one of them; the largest has the fewest rounding errors.
-    const V sum = Add(yy, zz), difference = Sub(yy, zz);
-    const V four_ww = Add(Add(one, xx), sum), four_xx = Sub(Add(one, xx), sum);
-    const V four_yy = Add(Sub(one, xx), difference), four_zz = Sub(Sub(one, xx), difference);
-    const V four_wx = Sub(zy, matrix(5)), four_yz = Add(zy, matrix(5));
-    const V four_wy = Sub(matrix(2), matrix(6)), four_zx = Add(matrix(2), matrix(6));
-    const V four_wz = Sub(matrix(3), xy), four_xy = Add(matrix(3), xy);
-    const auto x_over_w = Lt(four_ww, four_xx), z_over_y = Lt(four_yy, four_zz);
-    const auto yz_over_wx = Lt(Max(four_ww, four_xx), Max(four_yy, four_zz));
-    quaternion(0, Choose(yz_over_wx, z_over_y, x_over_w, four_wx, four_xx, four_xy, four_zx));
-    quaternion(1, Choose(yz_over_wx, z_over_y, x_over_w, four_wy, four_xy, four_yy, four_yz));
-    quaternion(2, Choose(yz_over_wx, z_over_y, x_over_w, four_wz, four_zx, four_yz, four_zz));
-    quaternion(3, Choose(yz_over_wx, z_over_y, x_over_w, four_ww, four_wx, four_wy, four_wz));
-    return sign;
-  }
-
- private:
-  template <class M, class V>
-  static GAUNT_LANES V Choose(M yz_over_wx, M z_over_y, M x_over_w, V of_w, V of_x, V of_y,
-                              V of_z) {
-    return IfThenElse(yz_over_wx, IfThenElse(z_over_y, of_z, of_y),
-                      IfThenElse(x_over_w, of_x, of_w));
-  }
-};
-
 // The largest entry of |R^T R - 1|; NaN if any entry is not finite.
 struct Deviation {
   template <class K, class In, class Out>

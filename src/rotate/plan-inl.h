@@ -51,6 +51,7 @@ struct ApplyBand {
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const PlacedPlan& placed, const In& in,
                               const Out& out) const {
+    if constexpr (l == 0) return out(0, in(0));
     typename K::template Slots<2 * l + 1> turned, mixed;
     First(k, placed.first.tangent, placed.in, in.From(l), turned, Pairs());
     Mix(k, placed.matrices + MatricesIndex(l), turned, mixed, Rows());

@@ -38,7 +38,7 @@ EulerAngles AnglesOf(const double q[4]) {
   return {u * v / root, u * Conjugate(v) / root, {std::sqrt(a) / length, std::sqrt(b) / length}};
 }
 
-// What a PlannedTurn leaves out: factors of the cosines and of the sines, by m.
+// What a PlannedTurn leaves out: factors of the cosines and of the sines, by m > 0.
 struct Factors {
   double of_cosine[kMaxOrder], of_sine[kMaxOrder];
 };
@@ -47,8 +47,7 @@ struct Factors {
 enum class Place { kBefore, kAfter };
 
 Factors PlanTurn(int order, const Complex& angle, Place place, PlannedTurn& turn) {
-  Factors factors = {};
-  factors.of_cosine[0] = 1.0;
+  Factors factors;
   Complex power = {1.0, 0.0};
   for (int m = 1; m < order; ++m) {
     power = power * angle;
@@ -67,36 +66,44 @@ Factors PlanTurn(int order, const Complex& angle, Place place, PlannedTurn& turn
   return factors;
 }
 
-// 1 / sqrt((l - m)! (l + m)!) as [l][m], reciprocals, and factorials of 2 m.
-struct Norms {
-  double norm[kMaxOrder][kMaxOrder] = {};
-  double reciprocal[kMaxOrder] = {};
-  double factorial[kMaxOrder] = {};
+// Constants of the recurrence below.
+struct Constants {
+  double norm[kMaxOrder][kMaxOrder] = {};  // 1 / sqrt((l - m)! (l + m)!)
+  double factorial[kMaxOrder] = {};        // (2 m)!
+  double square[kMaxOrder] = {};
+  double zonal[kMaxOrder] = {};    // (2l+1)(l+1)
+  double product[kMaxOrder] = {};  // (2l+1) / l
+  double below[kMaxOrder] = {};    // (l+1) / l
 
-  constexpr Norms() {
+  constexpr Constants() {
     double factorials[2 * kMaxOrder] = {1.0};
     for (int i = 1; i < 2 * kMaxOrder; ++i) factorials[i] = factorials[i - 1] * i;
     for (int l = 0; l < kMaxOrder; ++l) {
       for (int m = 0; m <= l; ++m) {
         norm[l][m] = 1.0 / (ConstexprSqrt(factorials[l - m]) * ConstexprSqrt(factorials[l + m]));
       }
-      if (l > 0) reciprocal[l] = 1.0 / l;
       factorial[l] = factorials[2 * l];
+      square[l] = l * l;
+      zonal[l] = (2.0 * l + 1.0) * (l + 1.0);
+      if (l == 0) continue;  // where both are times zero
+      product[l] = (2.0 * l + 1.0) / l;
+      below[l] = (l + 1.0) / l;
     }
   }
 };
-constexpr Norms kNorms;
+constexpr Constants kConstants;
 
-// Wigner's d^l_m'm(beta) = norm[l][m'] norm[l][m] D^l for m' >= m >= 0, and that of -m, from l = m' up by
+// Wigner's d^l_m'm(beta) = norm[l][m'] norm[l][m] D^l for m' >= m >= 0, and that of -m, from l = m' up
+// by
 //   l D^(l+1) = (2l+1)(l(l+1) cos(beta) - m m') D^l - (l+1)(l^2 - m^2)(l^2 - m'^2) D^(l-1)
 // from D^m' = (2m')! cos(beta/2)^(m'+m) (-sin(beta/2))^(m'-m). (Varshalovich, Moskalev and
 // Khersonskii 1988, sections 4.8 and 4.13, with the square roots taken out.)
 class WignerColumns {
  public:
-  explicit WignerColumns(const Complex& half_beta)
-      : cosine_((half_beta.re - half_beta.im) * (half_beta.re + half_beta.im)) {
+  WignerColumns(int order, const Complex& half_beta)
+      : order_(order), cosine_((half_beta.re - half_beta.im) * (half_beta.re + half_beta.im)) {
     cosines_[0] = sines_[0] = 1.0;
-    for (int i = 1; i < 2 * kMaxOrder; ++i) {
+    for (int i = 1; i < 2 * order; ++i) {
       cosines_[i] = cosines_[i - 1] * half_beta.re;
       sines_[i] = sines_[i - 1] * -half_beta.im;
     }
@@ -104,29 +111,66 @@ class WignerColumns {
 
   // visit(l, d^l_m'm, d^l_m'-m) for m' <= l < order.
   template <class Visit>
-  void ForEach(int m_out, int m, int order, const Visit& visit) const {
-    const double start = kNorms.factorial[m_out];
-    double same = start * cosines_[m_out + m] * sines_[m_out - m], same_below = 0.0;
-    double other = start * cosines_[m_out - m] * sines_[m_out + m], other_below = 0.0;
+  void ForEach(int m_out, int m, const Visit& visit) const {
+    const Constants& k = kConstants;
+    double same = k.factorial[m_out] * cosines_[m_out + m] * sines_[m_out - m], same_below = 0.0;
+    double other = k.factorial[m_out] * cosines_[m_out - m] * sines_[m_out + m], other_below = 0.0;
     const double product = m * m_out;
     for (int l = m_out;; ++l) {
-      const double norm = kNorms.norm[l][m_out] * kNorms.norm[l][m];
+      const double norm = k.norm[l][m_out] * k.norm[l][m];
       visit(l, norm * same, norm * other);
-      if (l + 1 == order) return;
-      const double up = (2 * l + 1) * kNorms.reciprocal[l], zonal = (2 * l + 1) * (l + 1) * cosine_;
-      const double down =
-          (l + 1) * kNorms.reciprocal[l] * (l * l - m * m) * (l * l - m_out * m_out);
-      const double same_above = (zonal - up * product) * same - down * same_below;
-      const double other_above = (zonal + up * product) * other - down * other_below;
+      if (l + 1 == order_) return;
+      const double zonal = k.zonal[l] * cosine_, mixed = k.product[l] * product;
+      const double below =
+          k.below[l] * (k.square[l] - k.square[m]) * (k.square[l] - k.square[m_out]);
+      const double same_above = (zonal - mixed) * same - below * same_below;
+      const double other_above = (zonal + mixed) * other - below * other_below;
       same_below = same, same = same_above;
       other_below = other, other = other_above;
     }
   }
 
  private:
+  int order_;
   double cosine_;
   double cosines_[2 * kMaxOrder], sines_[2 * kMaxOrder];  // powers for beta/2
 };
+
+// Real functions are sums and differences of those of m and -m, and d_mm' = (-1)^(m'-m) d_m'm.
+void PlanMatrices(int order, const Complex& half_beta, const Factors& first, const Factors& last,
+                  float* matrices) {
+  const WignerColumns wigner(order, half_beta);
+  wigner.ForEach(
+      0, 0, [&](int l, double d, double) { matrices[MatricesIndex(l)] = static_cast<float>(d); });
+  // Column 0 and row 0, which the sines lack.
+  const double root2 = std::sqrt(2.0);
+  for (int m_out = 1; m_out < order; ++m_out) {
+    const double flip = m_out % 2 == 0 ? 1.0 : -1.0;
+    wigner.ForEach(m_out, 0, [&](int l, double d, double) {
+      float* const cosines = matrices + MatricesIndex(l);
+      cosines[m_out * (l + 1)] = static_cast<float>(root2 * last.of_cosine[m_out] * d);
+      cosines[m_out] = static_cast<float>(flip * root2 * first.of_cosine[m_out] * d);
+    });
+  }
+  for (int m_out = 1; m_out < order; ++m_out) {
+    for (int m = 1; m <= m_out; ++m) {
+      const double sign = m % 2 == 0 ? 1.0 : -1.0, flip = (m_out - m) % 2 == 0 ? 1.0 : -1.0;
+      const double cosine = last.of_cosine[m_out] * first.of_cosine[m];
+      const double sine = last.of_sine[m_out] * first.of_sine[m];
+      const double flipped_cosine = flip * last.of_cosine[m] * first.of_cosine[m_out];
+      const double flipped_sine = flip * last.of_sine[m] * first.of_sine[m_out];
+      wigner.ForEach(m_out, m, [&](int l, double same, double other) {
+        float* const cosines = matrices + MatricesIndex(l);
+        float* const sines = cosines + (l + 1) * (l + 1);
+        const double sum = same + sign * other, difference = same - sign * other;
+        cosines[m_out * (l + 1) + m] = static_cast<float>(cosine * sum);
+        sines[(m_out - 1) * l + m - 1] = static_cast<float>(sine * difference);
+        cosines[m * (l + 1) + m_out] = static_cast<float>(flipped_cosine * sum);
+        sines[(m - 1) * l + m_out - 1] = static_cast<float>(flipped_sine * difference);
+      });
+    }
+  }
+}
 
 void MakePlan(int order, const double quaternion[4], bool mirror_y, Plan& plan) {
   const EulerAngles angles = AnglesOf(quaternion);
@@ -134,32 +178,10 @@ void MakePlan(int order, const double quaternion[4], bool mirror_y, Plan& plan) 
   Factors first = PlanTurn(order, mirror_y ? Conjugate(angles.gamma) : angles.gamma, Place::kBefore,
                            plan.first);
   if (mirror_y) {
-    for (double& factor : first.of_sine) factor = -factor;
+    for (int m = 1; m < order; ++m) first.of_sine[m] = -first.of_sine[m];
   }
   const Factors last = PlanTurn(order, angles.alpha, Place::kAfter, plan.last);
-  const auto put = [&](int l, int m_out, int m, double cosine, double sine) {
-    float* const cosines = plan.matrices + MatricesIndex(l);
-    cosines[m_out * (l + 1) + m] =
-        static_cast<float>(last.of_cosine[m_out] * cosine * first.of_cosine[m]);
-    if (m_out == 0 || m == 0) return;
-    float* const sines = cosines + (l + 1) * (l + 1);
-    sines[(m_out - 1) * l + m - 1] =
-        static_cast<float>(last.of_sine[m_out] * sine * first.of_sine[m]);
-  };
-  // Real functions are sums and differences of those of m and -m.
-  const WignerColumns wigner(angles.half_beta);
-  const double half = std::sqrt(0.5);
-  for (int m_out = 0; m_out < order; ++m_out) {
-    for (int m = 0; m <= m_out; ++m) {
-      const double sign = m % 2 == 0 ? 1.0 : -1.0, transposed = (m_out - m) % 2 == 0 ? 1.0 : -1.0;
-      const double scale = (m_out == 0 ? half : 1.0) * (m == 0 ? half : 1.0);
-      wigner.ForEach(m_out, m, order, [&](int l, double same, double other) {
-        const double cosine = scale * (same + sign * other), sine = same - sign * other;
-        put(l, m_out, m, cosine, sine);
-        if (m != m_out) put(l, m, m_out, transposed * cosine, transposed * sine);
-      });
-    }
-  }
+  PlanMatrices(order, angles.half_beta, first, last, plan.matrices);
 }
 
 }  // namespace

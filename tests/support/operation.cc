@@ -25,6 +25,9 @@ constexpr size_t kMostItems = 83;
 // Around the lanes of every target, and around whole stack tiles of the driver.
 const std::vector<size_t> kCounts = {0, 1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 33, kMostItems};
 
+size_t Count(const Operation& operation, size_t count) { return count + operation.extra_items; }
+size_t MostItems(const Operation& operation) { return Count(operation, kMostItems); }
+
 using Values = std::vector<std::vector<std::vector<float>>>;  // [side][item][plane]
 
 Values MakeInputs(const Operation& operation, size_t count) {
@@ -130,19 +133,19 @@ void TestLayouts(const Operation& operation, size_t count) {
 }
 
 void TestBroadcast(const Operation& operation, size_t side) {
-  Values inputs = MakeInputs(operation, kMostItems);
+  Values inputs = MakeInputs(operation, MostItems(operation));
   for (auto& item : inputs[side]) item = inputs[side][0];
   for (const Layout layout : {Layout::kPlanar, Layout::kInterleaved, Layout::kTiled}) {
     SCOPED_TRACE("input " + std::to_string(side) + " broadcast, others " + Name(layout));
     std::vector<Layout> layouts = AllIn(operation, layout);
     layouts[side] = Layout::kBroadcast;
-    Run run(operation, kMostItems, layouts, layout, inputs);
-    ASSERT_EQ(run.Call(operation, kMostItems), GAUNT_OK);
-    ExpectMatchesReference(operation, inputs, kMostItems, run.out);
+    Run run(operation, MostItems(operation), layouts, layout, inputs);
+    ASSERT_EQ(run.Call(operation, MostItems(operation)), GAUNT_OK);
+    ExpectMatchesReference(operation, inputs, MostItems(operation), run.out);
     if (!operation.broadcast_rounds_alike) continue;
-    Run each(operation, kMostItems, AllIn(operation, layout), layout, inputs);
-    ASSERT_EQ(each.Call(operation, kMostItems), GAUNT_OK);
-    ExpectSameOutputs(operation, kMostItems, each.out, run.out, kNoItem);
+    Run each(operation, MostItems(operation), AllIn(operation, layout), layout, inputs);
+    ASSERT_EQ(each.Call(operation, MostItems(operation)), GAUNT_OK);
+    ExpectSameOutputs(operation, MostItems(operation), each.out, run.out, kNoItem);
   }
 }
 
@@ -199,15 +202,15 @@ void TestNotANumber(const Operation& operation) {
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     for (size_t side = 0; side < operation.inputs.size(); ++side) {
-      Values inputs = MakeInputs(operation, kMostItems);
+      Values inputs = MakeInputs(operation, MostItems(operation));
       for (const Layout layout : {Layout::kPlanar, Layout::kInterleaved}) {
-        Run clean(operation, kMostItems, AllIn(operation, layout), layout, inputs);
-        ASSERT_EQ(clean.Call(operation, kMostItems), GAUNT_OK);
+        Run clean(operation, MostItems(operation), AllIn(operation, layout), layout, inputs);
+        ASSERT_EQ(clean.Call(operation, MostItems(operation)), GAUNT_OK);
         Values spoilt = inputs;
         for (float& plane : spoilt[side][kBad]) plane = bad;
-        Run run(operation, kMostItems, AllIn(operation, layout), layout, spoilt);
-        ASSERT_EQ(run.Call(operation, kMostItems), GAUNT_OK);
-        ExpectSameOutputs(operation, kMostItems, clean.out, run.out, kBad);
+        Run run(operation, MostItems(operation), AllIn(operation, layout), layout, spoilt);
+        ASSERT_EQ(run.Call(operation, MostItems(operation)), GAUNT_OK);
+        ExpectSameOutputs(operation, MostItems(operation), clean.out, run.out, kBad);
       }
     }
   }
@@ -217,7 +220,7 @@ void TestNotANumber(const Operation& operation) {
 std::string HashOf(const Operation& operation, const std::vector<Buffer>& out) {
   uint64_t hash = 14695981039346656037u;
   for (size_t s = 0; s < out.size(); ++s) {
-    for (size_t i = 0; i < kMostItems; ++i) {
+    for (size_t i = 0; i < MostItems(operation); ++i) {
       for (size_t p = 0; p < operation.outputs[s]; ++p) {
         const float value = out[s].Get(i, p);
         uint32_t bits;
@@ -251,30 +254,31 @@ void ExpectKnownBits(const std::string& name, bool fma, const std::string& hash)
 
 void TestBatches(const Operation& operation) {
   SCOPED_TRACE(operation.name);
-  for (const size_t count : kCounts) TestLayouts(operation, count);
-  for (const size_t count : {1, 3, 8, 16, 17}) TestEndOfMemory(operation, count);
+  for (const size_t count : kCounts) TestLayouts(operation, Count(operation, count));
+  for (const size_t count : {1, 3, 8, 16, 17}) TestEndOfMemory(operation, Count(operation, count));
   for (size_t side = 0; side < operation.inputs.size(); ++side) TestBroadcast(operation, side);
   for (const size_t side : operation.in_place) {
     for (const size_t count : {size_t{1}, size_t{17}, kMostItems}) {
-      TestInPlace(operation, side, count);
+      TestInPlace(operation, side, Count(operation, count));
     }
   }
   TestNotANumber(operation);
 }
 
 void TestSameBits(const Operation& operation) {
-  const Values inputs = MakeInputs(operation, kMostItems);
+  const Values inputs = MakeInputs(operation, MostItems(operation));
   std::map<bool, std::vector<Buffer>> first;
   for (const std::string& target : SupportedTargets()) {
     SCOPED_TRACE(operation.name + " on " + target);
     ASSERT_EQ(gaunt_target_select(target.c_str()), GAUNT_OK);
-    Run run(operation, kMostItems, AllIn(operation, Layout::kPlanar), Layout::kPlanar, inputs);
-    ASSERT_EQ(run.Call(operation, kMostItems), GAUNT_OK);
+    Run run(operation, MostItems(operation), AllIn(operation, Layout::kPlanar), Layout::kPlanar,
+            inputs);
+    ASSERT_EQ(run.Call(operation, MostItems(operation)), GAUNT_OK);
     const auto [entry, inserted] = first.emplace(HasFma(target), run.out);
     if (inserted) {
       ExpectKnownBits(operation.name, HasFma(target), HashOf(operation, run.out));
     } else {
-      ExpectSameOutputs(operation, kMostItems, entry->second, run.out, kNoItem);
+      ExpectSameOutputs(operation, MostItems(operation), entry->second, run.out, kNoItem);
     }
   }
   gaunt_target_select(nullptr);

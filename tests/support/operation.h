@@ -30,6 +30,8 @@ struct Operation {
   std::vector<size_t> in_place;
   // Whether an input that is one item for all gives the bits of as many equal items.
   bool broadcast_rounds_alike = true;
+  // Items on top of every count, for functions that go another way from some count up.
+  size_t extra_items = 0;
 };
 
 // Runs on the chosen target: every pair of layouts and counts around the lanes, against the
