@@ -122,7 +122,7 @@ Operation RotateOneOperation(uint32_t n, uint32_t channels, By by) {
   operation.tolerance = [tolerance](const Operation::Item&, const Operation::Item&, size_t,
                                     size_t) { return tolerance; };
   operation.in_place = {0};
-  operation.extra_items = 255;  // from 256 items up, one rotation has a plan
+  operation.extra_items = 256;  // from there up, one rotation has a plan
   return operation;
 }
 
