@@ -59,6 +59,8 @@ if(GAUNT_TOOLS)
   gaunt_compile_internal(panorama_test)
   target_link_libraries(panorama_test PRIVATE gaunt_test_support OpenImageIO::OpenImageIO)
   add_test(NAME Panorama COMMAND panorama_test)
+  gaunt_test(chart_test tests/chart_test.cc)
+  target_link_libraries(chart_test PRIVATE gaunt_chart)
   add_test(NAME Command COMMAND ${PROJECT_SOURCE_DIR}/tests/command_test.sh
     $<TARGET_FILE:gaunt_command>)
   if(PROJECT_IS_TOP_LEVEL)

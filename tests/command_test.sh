@@ -137,6 +137,41 @@ broken_splats "a second property" sed 's/float x/float y/'
 broken_splats "too many" sed 's/vertex 2/vertex 99999999999999999999/'
 broken_splats "lists" sed 's/uchar tag/list uchar uchar tag/'
 
+# Results of two orders: two methods, a scalar loop, and a series.
+row() { printf '%s{"name": "%s", "label": "%s", %s}' "$comma" "$1" "$2" "$3"; comma=,; }
+results() {
+  local comma='' n
+  printf '{"context": {"compiler": "cc 1"}, "benchmarks": [\n'
+  for n in 2 3; do
+    row "f/one/n$n/tiled/1024/AVX2" "first method" \
+      "\"ns_item\": $n, \"mul\": 3, \"fma\": $n, \"error\": ${n}e-7, \"limit_ns\": 1, \"ns_multiply\": 0.1"
+    row "f/two/n$n/tiled/1024/SSE4" "it's a_<method> \`id\`" \
+      "\"ns_item\": 2$n, \"mul\": 2, \"fma\": $n, \"error\": ${n}e-8, \"limit_ns\": 2"
+    row "f/one/n$n/interleaved/1024/loop" "scalar loop" "\"ns_item\": 3$n, \"error\": 1e-7"
+    row "f/drift/line/$n" "a line of steps" "\"x\": $n, \"error\": ${n}e-7"
+  done
+  row "g/one/n2/tiled/1024/AVX2" "" '"ns_item": 1, "error": 1e-7, "limit_ns": 1'
+  printf ']}\n'
+}
+results >results.json
+head -c 300 results.json >cut.json
+printf '{"pictures": []}' >foreign.json
+sed 's/"name": "f.two.n3/"error_occurred": true, "error_message": "broke", &/' results.json >failed.json
+rejects family chart
+rejects "it has f, g" chart nonsense --results results.json
+rejects "no row of g" chart g --results results.json
+rejects nowhere.json chart f --results nowhere.json
+rejects folder chart f --results folder
+rejects "cut short" chart f --results cut.json
+rejects "not what gaunt_bench writes" chart f --results foreign.json
+rejects "n3/tiled/1024/SSE4 failed: broke" chart f --results failed.json
+rejects "no program ./nothing" chart f --bench ./nothing
+rejects excludes chart f --bench ./nothing --results results.json
+rejects layout chart f --results results.json --layout diagonal
+rejects taken chart f --results results.json --out taken
+PATH=nowhere "$gaunt" chart f --results results.json 2>err.txt
+[ $? -eq 2 ] && grep -q gnuplot-nox err.txt || fail "chart without gnuplot: $(cat err.txt)"
+
 for scene in courtyard room street; do
   "$gaunt" frame --scene "$scene" "${small[@]}" --out "pictures/$scene" >out.txt 2>err.txt ||
     fail "scene $scene: $(cat err.txt)"
@@ -244,10 +279,26 @@ wait $rotating 2>/dev/null
 exec 3>&-
 [ -z "$(find . -name '*turned*')" ] || fail "rotate left a file when it was interrupted"
 
+# Charts.
+"$gaunt" chart f --results results.json --out charts >out.txt 2>err.txt || fail "chart: $(cat err.txt)"
+[ ! -s err.txt ] || fail "chart: stderr: $(cat err.txt)"
+[ "$(cd charts && echo *)" = \
+  "f_drift.png f_drift.svg f_error.png f_error.svg f_operations.png f_operations.svg" ] ||
+  fail "charts: $(ls charts)"
+for chart in error operations drift; do
+  [ "$(head -c 4 "charts/f_$chart.png" | tail -c 3)" = PNG ] || fail "no f_$chart.png"
+done
+for word in 'order 2' 'order 3' AVX2 SSE4 'first method' "a_&lt;method&gt; \`id\`" 'scalar loop' \
+  'Pareto front' 'cc 1 · tiled layout · 1024 items'; do
+  grep -q -- "$word" charts/f_error.svg || fail "f_error.svg: no $word"
+done
+grep -q 'scalar loop' charts/f_operations.svg && fail "f_operations.svg has a row without operations"
+grep -q 'a line of steps' charts/f_drift.svg || fail "f_drift.svg: no label"
+
 "$gaunt" info | grep -q '^target ' || fail "info"
 "$gaunt" info --json | grep -q '"targets"' || fail "info --json"
 GAUNT_TARGET=nonsense "$gaunt" info | grep -q 'nonsense is unknown' || fail "unknown GAUNT_TARGET"
-for command in "" info opcount frame points rotate; do
+for command in "" info opcount frame points rotate chart; do
   "$gaunt" $command --help | grep -q -- --help || fail "help of '$command'"
 done
 

@@ -20,6 +20,7 @@ void AddOpcount(CLI::App& app);
 void AddFrame(CLI::App& app);
 void AddPoints(CLI::App& app);
 void AddRotate(CLI::App& app);
+void AddChart(CLI::App& app);
 
 }  // namespace gaunt::tool
 

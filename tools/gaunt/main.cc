@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   gaunt::tool::AddFrame(app);
   gaunt::tool::AddPoints(app);
   gaunt::tool::AddRotate(app);
+  gaunt::tool::AddChart(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help

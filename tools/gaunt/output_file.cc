@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "bad_input.h"
 
@@ -87,6 +88,17 @@ void OutputFile::Commit() {
   }
   if (error) throw std::runtime_error("cannot write " + target_ + ": " + error.message());
   committed_ = true;
+}
+
+void PrepareFolder(const std::string& path) {
+  const fs::path folder = path;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw BadInput("cannot make " + path + ": " + error.message());
+  const fs::path trial = folder / ".gaunt-trial";
+  const bool writable = std::ofstream(trial).put('x').good();
+  fs::remove(trial, error);
+  if (!writable) throw BadInput("cannot write to " + path);
 }
 
 }  // namespace gaunt::tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that is written whole or not at all.
+// Files that are written whole or not at all, and folders for them.
 #ifndef GAUNT_TOOLS_GAUNT_OUTPUT_FILE_H_
 #define GAUNT_TOOLS_GAUNT_OUTPUT_FILE_H_
 
@@ -29,6 +29,9 @@ class OutputFile {
   bool in_place_ = false;
   bool committed_ = false;
 };
+
+// Makes a folder if there is none. Throws BadInput if no file can be written there.
+void PrepareFolder(const std::string& path);
 
 }  // namespace gaunt::tool
 

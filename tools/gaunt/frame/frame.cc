@@ -16,6 +16,7 @@
 #include "frame/objects.h"
 #include "frame/picture.h"
 #include "gaunt/gaunt.h"
+#include "output_file.h"
 #include "progress.h"
 
 namespace gaunt::tool {
@@ -41,17 +42,6 @@ struct FrameOptions {
 
 void Check(gaunt_status status) {
   if (status != GAUNT_OK) throw std::runtime_error(gaunt_status_string(status));
-}
-
-// Fails before any work if the folder cannot take the pictures.
-void PrepareOut(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput("cannot make " + folder.string() + ": " + error.message());
-  const std::filesystem::path trial = folder / ".gaunt-trial";
-  const bool writable = std::ofstream(trial).put('x').good();
-  std::filesystem::remove(trial, error);
-  if (!writable) throw BadInput("cannot write to " + folder.string());
 }
 
 Environment MakeEnvironment(const FrameOptions& options, TexelReport* report) {
@@ -231,7 +221,7 @@ void RunFrame(const FrameOptions& options) {
   }
   TexelReport report;
   const Environment environment = MakeEnvironment(options, &report);
-  PrepareOut(options.out);
+  PrepareFolder(options.out);
 
   const IndirectFn sky = SkyLight(environment);
   const ProbeGrid grid =

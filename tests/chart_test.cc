@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// What charts are made of: names of benchmarks, their medians, fronts and axes.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bad_input.h"
+#include "chart/charts.h"
+#include "chart/figure.h"
+#include "chart/marks.h"
+#include "chart/results.h"
+
+namespace gaunt::tool {
+namespace {
+
+// Files of one test, removed after it.
+class ChartResults : public testing::Test {
+ protected:
+  std::string Write(const std::string& text) {
+    paths_.push_back(testing::TempDir() + "gaunt_chart_" +
+                     testing::UnitTest::GetInstance()->current_test_info()->name() +
+                     std::to_string(paths_.size()) + ".json");
+    std::ofstream(paths_.back()) << text;
+    return paths_.back();
+  }
+  std::string WriteRows(const std::string& rows) {
+    return Write("{\"context\": {\"compiler\": \"cc 1\"}, \"benchmarks\": [\n" + rows + "]}\n");
+  }
+  void TearDown() override {
+    for (const std::string& path : paths_) std::remove(path.c_str());
+  }
+  void ExpectRejected(const std::string& path, const std::string& word) {
+    try {
+      ReadResults({path});
+      ADD_FAILURE() << "taken for results";
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
+
+ private:
+  std::vector<std::string> paths_;
+};
+
+TEST(ChartNames, OfTimings) {
+  const auto name = ParseMarkName("rotate/matrix_mono/n16/tiled/1024/AVX3_ZEN4");
+  ASSERT_TRUE(name.has_value());
+  EXPECT_EQ(name->family, "rotate");
+  EXPECT_EQ(name->op, "matrix_mono");
+  EXPECT_EQ(name->order, 16);
+  EXPECT_EQ(name->layout, "tiled");
+  EXPECT_EQ(name->items, 1024u);
+  EXPECT_EQ(name->target, "AVX3_ZEN4");
+}
+
+TEST(ChartNames, OfSeries) {
+  const auto name = ParseSeriesName("rotate/drift/quaternion/1000");
+  ASSERT_TRUE(name.has_value());
+  EXPECT_EQ(name->family, "rotate");
+  EXPECT_EQ(name->series, "drift");
+  EXPECT_EQ(name->line, "quaternion");
+}
+
+TEST(ChartNames, OfOtherBenchmarksAreNone) {
+  for (const char* name :
+       {"", "rotate", "frame/2000_objects_2048/AVX3", "project/cubemap/n3/rgba32f/64/AVX3",
+        "rotate/matrix/3/tiled/1024/AVX3", "rotate/matrix/n3/tiled/many/AVX3",
+        "rotate/matrix/n3/tiled/1024/AVX3/more", "rotate/matrix/n3/tiled/1024/",
+        "rotate/matrix/n3/tiled/99999999999999999999/AVX3"}) {
+    EXPECT_FALSE(ParseMarkName(name).has_value()) << name;
+    EXPECT_FALSE(ParseSeriesName(name).has_value()) << name;
+  }
+}
+
+TEST(ChartMedian, IsTheMiddleOrTheMeanOfTwo) {
+  EXPECT_EQ(Median({3.0}), 3.0);
+  EXPECT_EQ(Median({9.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(Median({4.0, 100.0, 1.0, 2.0}), 3.0);
+}
+
+TEST(ChartFront, HasWhatNothingBeatsInBoth) {
+  const std::vector<Point> front =
+      ParetoFront({{3, 3}, {1, 9}, {2, 9}, {5, 1}, {4, 4}, {3, 5}, {9, 1}, {1, 10}});
+  ASSERT_EQ(front.size(), 3u);
+  const Point expected[] = {{1, 9}, {3, 3}, {5, 1}};
+  for (size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(front[k].x, expected[k].x);
+    EXPECT_EQ(front[k].y, expected[k].y);
+  }
+  EXPECT_TRUE(ParetoFront({}).empty());
+}
+
+TEST_F(ChartResults, AreMediansOfRepetitions) {
+  const std::string a = WriteRows(R"({"name": "f/late", "family_index": 7, "ns_item": 1},
+    {"name": "f/early", "family_index": 2, "label": "words", "ns_item": 5},
+    {"name": "f/early", "family_index": 2, "label": "words", "ns_item": 3})");
+  const std::string b = WriteRows(R"({"name": "f/early", "family_index": 2, "ns_item": 40})");
+  const Results results = ReadResults({a, b});
+  EXPECT_EQ(results.compiler, "cc 1");
+  ASSERT_EQ(results.rows.size(), 2u);
+  EXPECT_EQ(results.rows[0].name, "f/early");
+  EXPECT_EQ(results.rows[0].counters.at("ns_item"), 5.0);
+  EXPECT_EQ(results.rows[1].name, "f/late");
+}
+
+TEST_F(ChartResults, PreferTheMediansOfTheFile) {
+  const Results results = ReadResults({WriteRows(
+      R"({"name": "f/a", "run_name": "f/a", "run_type": "iteration", "ns_item": 100},
+    {"name": "f/a_mean", "run_name": "f/a", "run_type": "aggregate", "aggregate_name": "mean",
+     "ns_item": 50},
+    {"name": "f/a_median", "run_name": "f/a", "run_type": "aggregate", "aggregate_name": "median",
+     "ns_item": 7})")});
+  ASSERT_EQ(results.rows.size(), 1u);
+  EXPECT_EQ(results.rows[0].name, "f/a");
+  EXPECT_EQ(results.rows[0].counters.at("ns_item"), 7.0);
+}
+
+TEST_F(ChartResults, TakeNumbersThatJsonHasNot) {
+  const Results results = ReadResults(
+      {WriteRows("{\"name\": \"f/a\",\n\"add\": NaN,\n\"mul\": -Infinity,\n\"fma\": 2}")});
+  ASSERT_EQ(results.rows.size(), 1u);
+  EXPECT_EQ(results.rows[0].counters.count("add"), 0u);
+  EXPECT_EQ(results.rows[0].counters.count("mul"), 0u);
+  EXPECT_EQ(results.rows[0].counters.at("fma"), 2.0);
+}
+
+TEST_F(ChartResults, OfAnythingElseAreRejected) {
+  ExpectRejected("/nowhere/results.json", "cannot read");
+  ExpectRejected(testing::TempDir(), "cannot read");
+  ExpectRejected(Write(""), "cut short");
+  ExpectRejected(Write("{\"benchmarks\": [{\"name\": \"f/a\""), "cut short");
+  for (const char* foreign :
+       {"[]", "3", "{}", "{\"benchmarks\": 3}", "{\"benchmarks\": [3]}", "{\"benchmarks\": [{}]}",
+        "{\"benchmarks\": [{\"name\": 3}]}", "{\"context\": 3, \"benchmarks\": []}"}) {
+    ExpectRejected(Write(foreign), "not what gaunt_bench writes");
+  }
+  ExpectRejected(
+      WriteRows(R"({"name": "f/a", "error_occurred": true, "error_message": "the call failed"})"),
+      "f/a failed: the call failed");
+}
+
+Results Rows() {
+  const std::map<std::string, double> kernel = {
+      {"ns_item", 2.0}, {"mul", 3.0}, {"fma", 4.0}, {"error", 1e-7}, {"limit_ns", 1.0}};
+  const std::map<std::string, double> loop = {{"ns_item", 9.0}, {"error", 2e-7}};
+  return {"cc 1",
+          {{"f/op/n3/tiled/1024/SCALAR", "method", kernel},
+           {"f/op/n3/tiled/1024/EMU128", "method", kernel},
+           {"f/op/n3/planar/1024/EMU128", "method", kernel},
+           {"f/op/n3/tiled/1000/EMU128", "method", kernel},
+           {"f/other_job/n3/tiled/1024/EMU128", "", kernel},
+           {"g/op/n3/tiled/1024/EMU128", "method", kernel},
+           {"f/op/n3/interleaved/1024/engine", "scalar loop", loop},
+           {"f/drift/b/10", "line b", {{"x", 10.0}, {"error", 3e-7}}},
+           {"f/drift/b/1", "line b", {{"x", 1.0}, {"error", 1e-7}}},
+           {"f/drift/a/1", "line a", {{"x", 1.0}, {"error", 2e-7}}},
+           {"g/drift/a/1", "line a", {{"x", 1.0}, {"error", 2e-7}}}}};
+}
+
+TEST(ChartMarks, AreThoseOfTheSelectionBestTargetFirst) {
+  const std::vector<Mark> marks = SelectMarks(Rows(), {"f", "tiled", 1024});
+  ASSERT_EQ(marks.size(), 3u);
+  EXPECT_EQ(marks[0].target, "EMU128");
+  EXPECT_EQ(marks[0].multiplies, 7.0);
+  EXPECT_EQ(marks[1].target, "SCALAR");
+  EXPECT_TRUE(marks[2].is_baseline());
+  EXPECT_EQ(marks[2].method, "scalar loop");
+  EXPECT_FALSE(marks[2].multiplies.has_value());
+}
+
+TEST(ChartMarks, OfSeriesRunByTheirSteps) {
+  const std::vector<SeriesData> all = SelectSeries(Rows(), "f");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].name, "drift");
+  ASSERT_EQ(all[0].lines.size(), 2u);
+  EXPECT_EQ(all[0].lines[0].label, "line b");
+  ASSERT_EQ(all[0].lines[0].points.size(), 2u);
+  EXPECT_EQ(all[0].lines[0].points[0].x, 1.0);
+  EXPECT_EQ(all[0].lines[0].points[1].y, 3e-7);
+}
+
+TEST(ChartAxis, HoldsItsValuesAndHasRoundTicks) {
+  for (const std::vector<double>& values :
+       {std::vector<double>{1.0}, {0.07, 900.0}, {2e-7, 3e-7}, {1.0, 10.0}, {1e-12, 1e5}}) {
+    const Axis axis(values);
+    for (const double value : values) {
+      EXPECT_GT(axis.Share(value), 0.0);
+      EXPECT_LT(axis.Share(value), 1.0);
+    }
+    EXPECT_GE(axis.ticks().size(), 3u);
+    for (const Tick& tick : axis.ticks()) {
+      EXPECT_GE(tick.at, axis.from());
+      EXPECT_LE(tick.at, axis.to());
+    }
+  }
+  const Axis powers({2e-7, 3e-7}, Axis::Format::kPowers);
+  std::vector<std::string> labels;
+  for (const Tick& tick : powers.ticks()) labels.push_back(tick.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"10⁻⁷", "2×10⁻⁷", "5×10⁻⁷"}));
+}
+
+TEST(ChartColours, GetLighterAndDiffer) {
+  const auto luminance = [](const std::string& colour) {
+    const long rgb = std::strtol(colour.c_str() + 1, nullptr, 16);
+    return 0.2126 * static_cast<double>(rgb >> 16) + 0.7152 * static_cast<double>(rgb >> 8 & 255) +
+           0.0722 * static_cast<double>(rgb & 255);
+  };
+  for (size_t count = 1; count <= 6; ++count) {
+    const std::vector<std::string> colours = Colours(count);
+    ASSERT_EQ(colours.size(), count);
+    for (size_t k = 1; k < count; ++k) {
+      EXPECT_GT(luminance(colours[k]), luminance(colours[k - 1]) + 20.0) << count << " " << k;
+    }
+  }
+}
+
+// What comes from files is data to gnuplot, never commands.
+TEST(ChartScript, QuotesTexts) {
+  const Figure figure = SeriesChart("f", "cc 'x'\n!rm", {"drift", {{"it's `a`", {{1.0, 1e-7}}}}});
+  const std::string script = figure.Script();
+  EXPECT_NE(script.find("'it''s `a`'"), std::string::npos);
+  EXPECT_NE(script.find("'cc ''x'' !rm'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gaunt::tool

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// gaunt chart: draws a family's speed and accuracy.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "chart/bench_run.h"
+#include "chart/charts.h"
+#include "chart/gnuplot.h"
+#include "chart/process.h"
+#include "command.h"
+#include "output_file.h"
+
+namespace gaunt::tool {
+namespace {
+
+struct ChartOptions {
+  Selection selection;
+  std::string results;
+  std::string bench;
+  std::string out = "out/charts";
+  int repetitions = 9;
+};
+
+struct NamedFigure {
+  std::string name;
+  Figure figure;
+};
+
+Results GetResults(const ChartOptions& options) {
+  if (options.results.empty()) {
+    return RunBench(options.bench, options.selection, options.repetitions);
+  }
+  const Results results = ReadResults({options.results});
+  std::vector<std::string> names;
+  for (const ResultRow& row : results.rows) names.push_back(row.name);
+  CheckFamily(names, options.selection.family, options.results);
+  return results;
+}
+
+std::vector<NamedFigure> MakeFigures(const Results& results, const Selection& selection) {
+  const std::string& family = selection.family;
+  const std::vector<Mark> marks = SelectMarks(results, selection);
+  const std::string conditions = fmt::format("{} · {} layout · {} items · medians",
+                                             results.compiler, selection.layout, selection.items);
+  std::vector<Mark> with_error, with_multiplies;
+  for (const Mark& mark : marks) {
+    if (mark.error && *mark.error > 0.0) with_error.push_back(mark);
+    if (mark.multiplies) with_multiplies.push_back(mark);
+  }
+  std::vector<NamedFigure> figures;
+  if (!with_error.empty()) {
+    figures.push_back({family + "_error", ErrorChart(family, conditions, with_error)});
+  }
+  if (!with_multiplies.empty()) {
+    figures.push_back(
+        {family + "_operations", OperationsChart(family, conditions, with_multiplies)});
+  }
+  for (const SeriesData& series : SelectSeries(results, family)) {
+    figures.push_back({family + "_" + series.name, SeriesChart(family, results.compiler, series)});
+  }
+  if (figures.empty()) {
+    throw BadInput(
+        fmt::format("no row of {} can be drawn: those of the {} layout and {} items have "
+                    "neither errors nor operations, or methods without names",
+                    family, selection.layout, selection.items));
+  }
+  return figures;
+}
+
+void Copy(const std::string& from, const std::string& to) {
+  std::error_code error;
+  std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
+  if (error) throw std::runtime_error("cannot write " + to + ": " + error.message());
+}
+
+void RunChart(const ChartOptions& options) {
+  // Before any work: they fail.
+  const Gnuplot gnuplot;
+  PrepareFolder(options.out);
+  const std::vector<NamedFigure> figures = MakeFigures(GetResults(options), options.selection);
+  // All of them are drawn before the first is in its place.
+  const TemporaryFolder drawn;
+  for (const NamedFigure& figure : figures) {
+    gnuplot.Draw(figure.figure, drawn.File(figure.name + ".svg"), drawn.File(figure.name + ".png"));
+  }
+  for (const NamedFigure& figure : figures) {
+    const std::string path = (std::filesystem::path(options.out) / figure.name).string();
+    for (const std::string ending : {".svg", ".png"}) {
+      OutputFile file(path + ending);
+      Copy(drawn.File(figure.name + ending), file.path());
+      file.Commit();
+    }
+    fmt::print("{0}.svg {0}.png\n", path);
+  }
+}
+
+}  // namespace
+
+void AddChart(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "chart", "Draw a family's time against error and operations, from its benchmarks");
+  const auto o = std::make_shared<ChartOptions>();
+  command->add_option("family", o->selection.family, "Family of functions, such as rotate")
+      ->required();
+  CLI::Option* results = command->add_option(
+      "--results", o->results, "JSON that gaunt_bench wrote; by default gaunt_bench is run");
+  command->add_option("--bench", o->bench, "gaunt_bench; by default the one next to gaunt")
+      ->excludes(results);
+  command->add_option("--repetitions", o->repetitions, "Runs of gaunt_bench, for medians")
+      ->check(CLI::Range(1, 99))
+      ->capture_default_str()
+      ->excludes(results);
+  command->add_option("--layout", o->selection.layout, "Layout of the data")
+      ->check(CLI::IsMember({"tiled", "planar", "interleaved"}))
+      ->capture_default_str();
+  command->add_option("--items", o->selection.items, "Items of a call")
+      ->check(CLI::IsMember({1000, 1024, 1 << 20}))
+      ->capture_default_str();
+  command->add_option("--out", o->out, "Folder for the pictures")->capture_default_str();
+  command->callback([o] { RunChart(*o); });
+}
+
+}  // namespace gaunt::tool

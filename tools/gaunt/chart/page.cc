@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "chart/page.h"
+
+#include <cmath>
+
+namespace gaunt::tool {
+namespace {
+
+constexpr double kEdge = 14, kLeft = 66, kRight = 14, kTop = 104, kBottom = 46;
+constexpr double kGapX = 14, kGapY = 42;
+constexpr double kLegend = 200, kLine = 16;  // of a legend
+
+// As many columns as leave few places empty.
+size_t Columns(size_t places) {
+  if (places <= 4) return places;
+  const auto empty = [&](size_t columns) { return (columns - places % columns) % columns; };
+  return empty(3) < empty(4) ? 3 : 4;
+}
+
+}  // namespace
+
+void Legend::Heading(const std::string& text) {
+  entries_.push_back({Kind::kHeading, text, MarkStyle(), PathStyle()});
+}
+void Legend::Mark(const MarkStyle& style, const std::string& text) {
+  entries_.push_back({Kind::kMark, text, style, PathStyle()});
+}
+void Legend::Line(const PathStyle& style, const std::string& text) {
+  entries_.push_back({Kind::kLine, text, MarkStyle(), style});
+}
+
+double Legend::height() const { return kLine * static_cast<double>(entries_.size()); }
+
+void Legend::Draw(Point corner, Layer& page) const {
+  double y = corner.y + 0.5 * kLine;
+  for (const Entry& entry : entries_) {
+    switch (entry.kind) {
+      case Kind::kHeading: page.Text({corner.x, y}, entry.text, {kGrey, 11}); break;
+      case Kind::kMark: page.Marks({{corner.x + 12, y}}, entry.mark); break;
+      case Kind::kLine: page.Path({{corner.x, y}, {corner.x + 24, y}}, entry.line); break;
+    }
+    if (entry.kind != Kind::kHeading) page.Text({corner.x + 32, y}, entry.text, {kInk, 11});
+    y += kLine;
+  }
+}
+
+Figure SmallMultiples(const Titles& titles, std::vector<Panel> panels, const Legend& legend) {
+  Figure figure;
+  const size_t places = panels.size() + 1, columns = Columns(places);
+  const size_t rows = (places + columns - 1) / columns;
+  // A single row leaves the legend what it needs, and the panels the rest.
+  const double all = figure.width - kLeft - kRight;
+  const double width =
+      std::floor(rows == 1 ? (all - kLegend) / static_cast<double>(columns - 1) - kGapX
+                           : (all + kGapX) / static_cast<double>(columns) - kGapX);
+  const double height = std::max(190.0, legend.height() + 4);
+  figure.height = kTop + static_cast<double>(rows) * (height + kGapY) - kGapY + kBottom;
+  const auto place = [&](size_t k) {
+    return Rectangle{kLeft + static_cast<double>(k % columns) * (width + kGapX),
+                     kTop + static_cast<double>(k / columns) * (height + kGapY), width, height};
+  };
+  for (size_t k = 0; k < panels.size(); ++k) {
+    panels[k].place = place(k);
+    panels[k].labels_y = k % columns == 0;
+  }
+  figure.panels = std::move(panels);
+  const Rectangle rest = place(places - 1);
+  legend.Draw({rest.left + 12, rest.top}, figure.page);
+  DrawTitles(titles, figure);
+  return figure;
+}
+
+void DrawTitles(const Titles& titles, Figure& figure) {
+  figure.page.Text({kEdge, 22}, titles.title, {kInk, 17});
+  figure.page.Text({kEdge, 44}, titles.conditions, {kGrey, 12});
+  figure.page.Text({kEdge, kTop - 30}, "↑ " + titles.y, {kInk, 12});
+  figure.page.Text({kLeft, figure.height - 14}, titles.x + " →", {kInk, 12});
+  for (const Panel& panel : figure.panels) {
+    figure.page.Text({panel.place.left + panel.place.width / 2, panel.place.top - 10}, panel.title,
+                     {kInk, 12, Align::kCentre});
+  }
+}
+
+}  // namespace gaunt::tool

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What gaunt_bench wrote.
+#ifndef GAUNT_TOOLS_GAUNT_CHART_RESULTS_H_
+#define GAUNT_TOOLS_GAUNT_CHART_RESULTS_H_
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gaunt::tool {
+
+struct ResultRow {
+  std::string name;
+  std::string label;                       // in words, or empty
+  std::map<std::string, double> counters;  // medians over repetitions; finite
+};
+
+struct Results {
+  std::string compiler;
+  std::vector<ResultRow> rows;  // in the order of their registration
+};
+
+double Median(std::vector<double> values);
+
+// Of files of the same program, which count as repetitions. Throws BadInput if they are not what
+// gaunt_bench writes, or if a benchmark failed.
+Results ReadResults(const std::vector<std::string>& paths);
+
+}  // namespace gaunt::tool
+
+#endif  // GAUNT_TOOLS_GAUNT_CHART_RESULTS_H_
