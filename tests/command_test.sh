@@ -288,7 +288,7 @@ exec 3>&-
 for chart in error operations drift; do
   [ "$(head -c 4 "charts/f_$chart.png" | tail -c 3)" = PNG ] || fail "no f_$chart.png"
 done
-for word in 'order 2' 'order 3' AVX2 SSE4 'first method' "a_&lt;method&gt; \`id\`" 'scalar loop' \
+for word in 'order 2' 'order 3' AVX2 SSE4 'first method' "a_&lt;method> \`id\`" 'scalar loop' \
   'Pareto front' 'cc 1 · tiled layout · 1024 items'; do
   grep -q -- "$word" charts/f_error.svg || fail "f_error.svg: no $word"
 done

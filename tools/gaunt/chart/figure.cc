@@ -157,7 +157,8 @@ Axis::Axis(const std::vector<double>& values, Format format) {
   const double half = std::max(1.15 * std::pow(*most / *least, 0.53), 3.2);
   from_ = middle / half;
   to_ = middle * half;
-  ticks_ = Ticks(from_, to_, format);
+  // Labels at the very ends would run into the next panel.
+  ticks_ = Ticks(Moved(from_, 0.03), Moved(from_, 0.97), format);
 }
 
 double Axis::Share(double value) const { return std::log(value / from_) / std::log(to_ / from_); }
