@@ -152,6 +152,7 @@ Results Rows() {
            {"f/op/n3/tiled/1024/EMU128", "method", kernel},
            {"f/op/n3/planar/1024/EMU128", "method", kernel},
            {"f/op/n3/tiled/1000/EMU128", "method", kernel},
+           {"f/op/n9/tiled/1024/EMU128", "method", kernel},
            {"f/other_job/n3/tiled/1024/EMU128", "", kernel},
            {"g/op/n3/tiled/1024/EMU128", "method", kernel},
            {"f/op/n3/interleaved/1024/engine", "scalar loop", loop},
@@ -162,7 +163,7 @@ Results Rows() {
 }
 
 TEST(ChartMarks, AreThoseOfTheSelectionBestTargetFirst) {
-  const std::vector<Mark> marks = SelectMarks(Rows(), {"f", "tiled", 1024});
+  const std::vector<Mark> marks = SelectMarks(Rows(), {"f", "tiled", 1024, 2, 8});
   ASSERT_EQ(marks.size(), 3u);
   EXPECT_EQ(marks[0].target, "EMU128");
   EXPECT_EQ(marks[0].multiplies, 7.0);

@@ -167,6 +167,7 @@ rejects "not what gaunt_bench writes" chart f --results foreign.json
 rejects "n3/tiled/1024/SSE4 failed: broke" chart f --results failed.json
 rejects "no program ./nothing" chart f --bench ./nothing
 rejects excludes chart f --bench ./nothing --results results.json
+rejects orders chart f --results results.json --orders 2
 rejects layout chart f --results results.json --layout diagonal
 rejects taken chart f --results results.json --out taken
 PATH=nowhere "$gaunt" chart f --results results.json 2>err.txt

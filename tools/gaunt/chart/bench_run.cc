@@ -63,8 +63,7 @@ std::vector<std::string> Names(const std::string& bench, const Selection& select
   for (const std::string& line : all) {
     const std::optional<MarkName> mark = ParseMarkName(line);
     const std::optional<SeriesName> series = ParseSeriesName(line);
-    const bool draws_mark = mark && mark->family == selection.family &&
-                            mark->items == selection.items &&
+    const bool draws_mark = mark && selection.Takes(*mark) &&
                             (mark->layout == selection.layout || targets.count(mark->target) == 0);
     if (draws_mark || (series && series->family == selection.family)) names.push_back(line);
   }

@@ -22,6 +22,7 @@ struct ChartOptions {
   Selection selection;
   std::string results;
   std::string bench;
+  std::vector<int> orders = {2, 8};
   std::string out = "out/charts";
   int repetitions = 9;
 };
@@ -121,8 +122,16 @@ void AddChart(CLI::App& app) {
   command->add_option("--items", o->selection.items, "Items of a call")
       ->check(CLI::IsMember({1000, 1024, 1 << 20}))
       ->capture_default_str();
+  command->add_option("--orders", o->orders, "First and last order of the timings")
+      ->expected(2)
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   command->add_option("--out", o->out, "Folder for the pictures")->capture_default_str();
-  command->callback([o] { RunChart(*o); });
+  command->callback([o] {
+    o->selection.first_order = o->orders[0];
+    o->selection.last_order = o->orders[1];
+    RunChart(*o);
+  });
 }
 
 }  // namespace gaunt::tool

@@ -45,13 +45,17 @@ std::optional<SeriesName> ParseSeriesName(const std::string& name) {
   return SeriesName{part[1], part[2], part[3]};
 }
 
+bool Selection::Takes(const MarkName& name) const {
+  return name.family == family && name.items == items && name.order >= first_order &&
+         name.order <= last_order;
+}
+
 std::vector<Mark> SelectMarks(const Results& results, const Selection& selection) {
   std::vector<Mark> marks;
   for (const ResultRow& row : results.rows) {
     const std::optional<MarkName> name = ParseMarkName(row.name);
     const std::optional<double> ns = Counter(row, "ns_item");
-    if (!name || name->family != selection.family || name->items != selection.items) continue;
-    if (row.label.empty() || !ns || *ns <= 0.0) continue;
+    if (!name || !selection.Takes(*name) || row.label.empty() || !ns || *ns <= 0.0) continue;
     Mark mark = {row.label,
                  name->order,
                  name->target,

@@ -11,13 +11,6 @@
 
 namespace gaunt::tool {
 
-// The rows to draw.
-struct Selection {
-  std::string family;
-  std::string layout = "tiled";
-  size_t items = 1024;
-};
-
 // family/op/n<order>/<layout>/<items>/<target or baseline>
 struct MarkName {
   std::string family, op, layout, target;
@@ -31,6 +24,16 @@ struct SeriesName {
   std::string family, series, line;
 };
 std::optional<SeriesName> ParseSeriesName(const std::string& name);
+
+// The timings to draw.
+struct Selection {
+  std::string family;
+  std::string layout = "tiled";
+  size_t items = 1024;
+  int first_order = 2, last_order = 8;
+
+  bool Takes(const MarkName& name) const;  // in any layout
+};
 
 // A method at an order on a target, or a scalar loop.
 struct Mark {
