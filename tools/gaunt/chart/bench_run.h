@@ -9,9 +9,8 @@
 
 namespace gaunt::tool {
 
-// A process for each repetition, so that what one of them is lucky or unlucky with is a repetition's.
-// `bench` is empty for the program next to this one. Throws BadInput if it is not there or has no
-// such family.
+// A process for each repetition: some are lucky or unlucky as a whole. `bench` is empty for the
+// program next to this one. Throws BadInput if it is not there or has no such family.
 Results RunBench(const std::string& bench, const Selection& selection, int repetitions);
 
 }  // namespace gaunt::tool

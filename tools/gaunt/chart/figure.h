@@ -96,8 +96,8 @@ struct Figure {
   Layer page;  // in pixels
   std::vector<Panel> panels;
 
-  // Without the terminal and the output. The script reads the sizes of marks, which terminals do not
-  // agree on, from variables shape0 and so on.
+  // Without the terminal and the output. The sizes of marks, which terminals do not agree on, are
+  // in variables shape0 and so on.
   std::string Script() const;
 };
 

@@ -13,8 +13,8 @@ namespace gaunt::tool {
 std::string FindProgram(const std::string& name);
 
 // Runs a program without input and waits for it; gives each line that it prints to either output.
-// Returns its exit status, or 128 + the signal that ended it. Throws std::runtime_error if it cannot
-// be started.
+// Returns its exit status, or 128 + the signal that ended it. Throws std::runtime_error if it
+// cannot be started.
 int RunProcess(const std::vector<std::string>& command,
                const std::function<void(const std::string& line)>& on_line);
 
