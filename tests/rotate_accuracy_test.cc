@@ -149,7 +149,7 @@ TEST_P(RotateAccuracy, HoldsNearThePoles) {
           Rotated(6, Floats(quaternions.begin() + 4 * i, quaternions.begin() + 4 * i + 4),
                   Repeated(item, 2), 4, true);
       for (size_t k = 0; k < kCoefficients; ++k) {
-        ASSERT_NEAR(two[k], wanted[kCoefficients * i + k], kRotateOneTolerance);
+        ASSERT_NEAR(two[k], wanted[kCoefficients * i + k], RotateOneTolerance(6));
       }
     }
   }
@@ -264,7 +264,7 @@ TEST_P(RotateAccuracy, MirrorsAndSwapsOfAxesAreExact) {
             ASSERT_EQ(found[i], static_cast<float>(wanted[i])) << "order " << n;
             ++exact;
           } else {
-            ASSERT_NEAR(found[i], wanted[i], kRotateOneTolerance) << "order " << n;
+            ASSERT_NEAR(found[i], wanted[i], RotateOneTolerance(n)) << "order " << n;
           }
         }
       }

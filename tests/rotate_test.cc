@@ -118,7 +118,7 @@ Operation RotateOneOperation(uint32_t n, uint32_t channels, By by) {
     }
   };
   // A matrix of floats is not quite orthonormal, and the reference takes it as it is.
-  const double tolerance = by == By::kQuaternion ? kRotateOneTolerance : RotateTolerance(n);
+  const double tolerance = by == By::kQuaternion ? RotateOneTolerance(n) : RotateTolerance(n);
   operation.tolerance = [tolerance](const Operation::Item&, const Operation::Item&, size_t,
                                     size_t) { return tolerance; };
   operation.in_place = {0};

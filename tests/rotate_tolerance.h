@@ -9,7 +9,7 @@ namespace gaunt::test {
 
 constexpr double RotateTolerance(uint32_t n) { return n <= 6 ? 2e-6 : 5e-6; }
 // One quaternion for 256 items or more.
-constexpr double kRotateOneTolerance = 7e-7;
+constexpr double RotateOneTolerance(uint32_t n) { return n <= 6 ? 5e-7 : 1.2e-6; }
 
 }  // namespace gaunt::test
 
