@@ -26,6 +26,8 @@ struct Table {
   void (*load)(const float* data, size_t floats, float* out);
   void (*store)(float* data, size_t floats);
   void (*stream)(float* data, size_t floats);
+  void (*copy)(const float* from, float* to, size_t floats);
+  void (*stream_copy)(const float* from, float* to, size_t floats);
 };
 #endif
 }  // namespace gaunt::bench
@@ -113,8 +115,28 @@ GAUNT_LANES void RunStores(float* data, size_t floats, const Step& store) {
 void RunStore(float* data, size_t floats) { RunStores(data, floats, StoreStep()); }
 void RunStream(float* data, size_t floats) { RunStores(data, floats, StreamStep()); }
 
+template <class Step>
+GAUNT_LANES void RunCopies(const float* from, float* to, size_t floats, const Step& store) {
+  const LaneTag d;
+  const size_t step = hn::Lanes(d);
+  for (size_t i = 0; i + 4 * step <= floats; i += 4 * step) {
+    store(hn::LoadU(d, from + i), to + i);
+    store(hn::LoadU(d, from + i + step), to + i + step);
+    store(hn::LoadU(d, from + i + 2 * step), to + i + 2 * step);
+    store(hn::LoadU(d, from + i + 3 * step), to + i + 3 * step);
+  }
+}
+
+void RunCopy(const float* from, float* to, size_t floats) {
+  RunCopies(from, to, floats, StoreStep());
+}
+void RunStreamCopy(const float* from, float* to, size_t floats) {
+  RunCopies(from, to, floats, StreamStep());
+}
+
 const Table* GetTable() {
-  static constexpr Table kTable = {&RunFma, &RunAdd, &RunDiv, &RunLoad, &RunStore, &RunStream};
+  static constexpr Table kTable = {&RunFma,   &RunAdd,    &RunDiv,  &RunLoad,
+                                   &RunStore, &RunStream, &RunCopy, &RunStreamCopy};
   return &kTable;
 }
 
@@ -187,9 +209,14 @@ const MemoryLimits& MeasureMemory(size_t working_set) {
              }) /
              static_cast<double>(bytes * times);
     };
-    entry->second = {per_byte([&] { Kernels().load(data, floats, out); }),
-                     std::min(per_byte([&] { Kernels().store(data, floats); }),
-                              per_byte([&] { Kernels().stream(data, floats); }))};
+    const Table& kernels = Kernels();
+    const size_t half = floats / 2;
+    entry->second = {
+        per_byte([&] { kernels.load(data, floats, out); }),
+        std::min(per_byte([&] { kernels.store(data, floats); }),
+                 per_byte([&] { kernels.stream(data, floats); })),
+        2.0 * std::min(per_byte([&] { kernels.copy(data, data + half, half); }),
+                       per_byte([&] { kernels.stream_copy(data, data + half, half); }))};
   }
   return entry->second;
 }
@@ -202,7 +229,8 @@ double LimitOf(const Operations& operations, size_t bytes_read, size_t bytes_wri
                    static_cast<double>(operations.add) * arithmetic.add,
                    static_cast<double>(operations.div) * arithmetic.div,
                    static_cast<double>(bytes_read) * memory.load,
-                   static_cast<double>(bytes_written) * memory.store});
+                   static_cast<double>(bytes_written) * memory.store,
+                   static_cast<double>(std::min(bytes_read, bytes_written)) * memory.copy});
 }
 
 }  // namespace gaunt::bench

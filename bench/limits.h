@@ -21,6 +21,7 @@ struct ArithmeticLimits {
 struct MemoryLimits {
   double load;
   double store;
+  double copy;  // of a byte that is read and one that is written
 };
 
 // Of the chosen target; measured once per target.
@@ -29,7 +30,8 @@ const ArithmeticLimits& MeasureArithmetic();
 const MemoryLimits& MeasureMemory(size_t working_set);
 
 // Nanoseconds that an item takes at least: the longest of its multiplications, its additions, its
-// divisions and roots, the bytes it reads, and the bytes it writes.
+// divisions and roots, the bytes it reads, the bytes it writes, and those that it reads while it
+// writes as many.
 double LimitOf(const Operations& operations, size_t bytes_read, size_t bytes_written,
                size_t working_set);
 
