@@ -145,23 +145,69 @@ constexpr size_t CosineSlot(int turn, int m) {
 constexpr size_t SineSlot(int turn, int m) { return CosineSlot(turn, m) + 1; }
 inline constexpr int kTurnSlots = 2 * kTurns * (kMaxOrder - 1);
 
-// e^(i m angle) for m < order, at least 2, each from two of half of m.
-template <class V, class Slots>
-GAUNT_LANES void Powers(int order, int turn, V c, V s, Slots& turns) {
-  turns(CosineSlot(turn, 1), c);
-  turns(SineSlot(turn, 1), s);
-  for (int m = 2; m < order; ++m) {
-    const V c0 = turns(CosineSlot(turn, m / 2)), s0 = turns(SineSlot(turn, m / 2));
-    if (m % 2 == 0) {
-      turns(CosineSlot(turn, m), MulSub(c0, c0, Mul(s0, s0)));
-      turns(SineSlot(turn, m), Mul(Add(c0, c0), s0));
-    } else {
-      const V c1 = turns(CosineSlot(turn, m / 2 + 1)), s1 = turns(SineSlot(turn, m / 2 + 1));
-      turns(CosineSlot(turn, m), MulSub(c0, c1, Mul(s0, s1)));
-      turns(SineSlot(turn, m), MulAdd(s0, c1, Mul(c0, s1)));
-    }
+// e^(i m angle), m at least 2, from two powers of half of m.
+template <class Slots>
+GAUNT_LANES void SetPower(int turn, int m, Slots& turns) {
+  const auto c0 = turns(CosineSlot(turn, m / 2)), s0 = turns(SineSlot(turn, m / 2));
+  if (m % 2 == 0) {
+    turns(CosineSlot(turn, m), MulSub(c0, c0, Mul(s0, s0)));
+    turns(SineSlot(turn, m), Mul(Add(c0, c0), s0));
+  } else {
+    const auto c1 = turns(CosineSlot(turn, m / 2 + 1)), s1 = turns(SineSlot(turn, m / 2 + 1));
+    turns(CosineSlot(turn, m), MulSub(c0, c1, Mul(s0, s1)));
+    turns(SineSlot(turn, m), MulAdd(s0, c1, Mul(c0, s1)));
   }
 }
+
+// All slots for m < order, at least 2, from the angles; n is the order or kAnyOrder. Without kMirrors
+// the plane of the sign is not read.
+template <int n, bool kMirrors>
+struct SetTurns {
+  int order;
+
+  template <class InA, class Slots>
+  GAUNT_LANES void operator()(const InA& angles, Slots& turns) const {
+    turns(CosineSlot(kFirstTurn, 1), angles(kFirstCosine));
+    turns(SineSlot(kFirstTurn, 1), angles(kFirstSine));
+    turns(CosineSlot(kMiddleTurn, 1), angles(kMiddleCosine));
+    turns(SineSlot(kMiddleTurn, 1), angles(kMiddleSine));
+    turns(CosineSlot(kLastTurn, 1), angles(kLastCosine));
+    turns(SineSlot(kLastTurn, 1), angles(kLastSine));
+    SetSines(1, angles, turns);
+    if constexpr (n != kAnyOrder) {
+      Unrolled(angles, turns, std::make_integer_sequence<int, n - 2>());
+    } else {
+      for (int m = 2; m < order; ++m) SetPowers(m, angles, turns);
+    }
+  }
+
+ private:
+  template <class InA, class Slots, int... m>
+  static GAUNT_LANES void Unrolled(const InA& angles, Slots& turns,
+                                   std::integer_sequence<int, m...>) {
+    (SetPowers(m + 2, angles, turns), ...);
+  }
+
+  // The three turns side by side, since each power waits for smaller ones.
+  template <class InA, class Slots>
+  static GAUNT_LANES void SetPowers(int m, const InA& angles, Slots& turns) {
+    SetPower(kFirstTurn, m, turns);
+    SetPower(kMiddleTurn, m, turns);
+    SetPower(kLastTurn, m, turns);
+    SetSines(m, angles, turns);
+  }
+
+  template <class InA, class Slots>
+  static GAUNT_LANES void SetSines(int m, const InA& angles, Slots& turns) {
+    auto c = turns(CosineSlot(kFirstTurn, m)), s = turns(SineSlot(kFirstTurn, m));
+    if constexpr (kMirrors) {
+      const auto sign = angles(kSineSign);
+      c = Mul(sign, c), s = Mul(sign, s);
+    }
+    turns(CosineSlot(kFirstTurnOfSines, m), c);
+    turns(SineSlot(kFirstTurnOfSines, m), s);
+  }
+};
 
 // Band l of one channel, unrolled.
 template <int l>
@@ -248,8 +294,7 @@ struct RotateBand {
   }
 };
 
-// All bands of each channel, from the angles; n is the order or kAnyOrder. Without kMirrors the plane
-// of the sign is not read.
+// All bands of each channel, from the angles; n is the order or kAnyOrder.
 template <int n, bool kMirrors>
 class RotateBands {
  public:
@@ -259,19 +304,7 @@ class RotateBands {
   GAUNT_LANES void operator()(const K& k, const InA& angles, const In& in, const Out& out) const {
     const int order = n != kAnyOrder ? n : order_;
     typename K::template Slots<kTurnSlots> turns;
-    Powers(order, kFirstTurn, angles(kFirstCosine), angles(kFirstSine), turns);
-    Powers(order, kMiddleTurn, angles(kMiddleCosine), angles(kMiddleSine), turns);
-    Powers(order, kLastTurn, angles(kLastCosine), angles(kLastSine), turns);
-    for (int m = 1; m < order; ++m) {
-      const auto c = turns(CosineSlot(kFirstTurn, m)), s = turns(SineSlot(kFirstTurn, m));
-      if constexpr (kMirrors) {
-        turns(CosineSlot(kFirstTurnOfSines, m), Mul(angles(kSineSign), c));
-        turns(SineSlot(kFirstTurnOfSines, m), Mul(angles(kSineSign), s));
-      } else {
-        turns(CosineSlot(kFirstTurnOfSines, m), c);
-        turns(SineSlot(kFirstTurnOfSines, m), s);
-      }
-    }
+    SetTurns<n, kMirrors>{order}(angles, turns);
     ForEachBand<n, RotateBand>(k, order, channels_, turns, in, out);
   }
 

@@ -17,6 +17,8 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 
 // Up to this order tensors are faster.
 inline constexpr int kMaxTensorOrder = 3;
+// Up to this order the matrix is made where it is used, above in a loop of its own.
+inline constexpr int kMaxFusedOrder = 2;
 
 }  // namespace gaunt::rotate::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

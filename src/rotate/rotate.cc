@@ -75,8 +75,11 @@ void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaterni
     return PlanBatch<n>(plan, channels, count, in, out);
   }
   ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
-    if constexpr (n <= kMaxTensorOrder) {
+    if constexpr (n <= kMaxFusedOrder) {
       ForEachBatch(count, RotateTensorsByQuaternion<n>{now}, In<4>(quaternions), from, to);
+    } else if constexpr (n <= kMaxTensorOrder) {
+      ForEachStaged<9>(count, MatrixFromQuaternion(), In<4>(quaternions),
+                       RotateTensorsByMatrix<n>{now}, from, to);
     } else {
       ForEachStaged<kAnglePlanes>(count, AnglesFromQuaternion(), In<4>(quaternions),
                                   RotateBands<kKernelOf<n>, false>(n, now), from, to);
