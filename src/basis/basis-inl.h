@@ -29,8 +29,8 @@ GAUNT_LANES void Turn(V x, V y, V& c, V& s) {
 //   y_l^m = q_l^m(z) c_m(x, y),   y_l^-m = q_l^m(z) s_m(x, y),
 // where c_m + i s_m = (-1)^m sqrt2 (x + i y)^m and q_l^m is the associated Legendre function
 // without its sin^m, times the norm. q is kept scaled so that the first row of each column is one
-// constant. The first three rows of a column are closed forms: their constants take up the weight,
-// unless further rows go on from them.
+// constant. Where no weight is zero, the recurrences carry them in their constants. Else the first
+// three rows of a column, which are closed forms, take them up, unless further rows go on from them.
 template <int n, class Weights = UnitBands>
 struct Eval {
   template <class K, class In, class Out>
@@ -44,6 +44,14 @@ struct Eval {
 
  private:
   static constexpr double Weight(int l) { return l < n ? Weights::Band(l) : 0.0; }
+  static constexpr bool AllWeighted() {
+    for (int l = 0; l < n; ++l) {
+      if (Weight(l) == 0.0) return false;
+    }
+    return true;
+  }
+  // Whether rows have their weights when they are made.
+  static constexpr bool kCarried = AllWeighted();
   // Whether band `from` or one above it is.
   static constexpr bool Wanted(int from) {
     for (int l = from; l < n; ++l) {
@@ -56,21 +64,22 @@ struct Eval {
   template <int m, class K, class V, class Out>
   static GAUNT_LANES void Column(const K& k, V x, V y, V z, V z2, V c, V s, Out& out) {
     constexpr bool kGoesOn = Wanted(m + 3);
-    constexpr double kFirstWeight = kGoesOn ? 1.0 : Weight(m + 1);
-    constexpr double kSecondWeight = kGoesOn ? 1.0 : Weight(m + 2);
+    constexpr bool kWeigh = kGoesOn && !kCarried;  // afterwards
+    constexpr double kFirstWeight = kWeigh ? 1.0 : Weight(m + 1);
+    constexpr double kSecondWeight = kWeigh ? 1.0 : Weight(m + 2);
     constexpr double kConstant = Weight(m) * kSectoral<m>;
     if constexpr (kConstant != 0.0) Emit<m, m>(k(kConstant), c, s, out);
     V first = z, second = z2;
     if constexpr (kFirstWeight != 0.0 && Wanted(m + 1)) {
       constexpr double kLinear = kFirstWeight * kFirst<m>;
       first = Mul(k(kLinear), z);
-      Row<m + 1, m, kGoesOn>(k, first, c, s, out);
+      Row<m + 1, m, kWeigh>(k, first, c, s, out);
     }
     if constexpr (kSecondWeight != 0.0 && Wanted(m + 2)) {
       constexpr double kSquare = kSecondWeight * kSecondSquare<m>;
       constexpr double kOffset = kSecondWeight * kSecondConstant<m>;
       second = MulAdd(k(kSquare), z2, k(kOffset));
-      Row<m + 2, m, kGoesOn>(k, second, c, s, out);
+      Row<m + 2, m, kWeigh>(k, second, c, s, out);
     }
     if constexpr (kGoesOn) Bands<m + 3, m>(k, z, second, first, c, s, out);
     if constexpr (Wanted(m + 1)) {
@@ -82,8 +91,10 @@ struct Eval {
   // q_l = a (z q_{l-1} - b q_{l-2})
   template <int l, int m, class K, class V, class Out>
   static GAUNT_LANES void Bands(const K& k, V z, V below, V below2, V c, V s, Out& out) {
-    const V value = MulSub(Mul(k(kStep<l, m>), z), below, Mul(k(kStepBack<l, m>), below2));
-    Row<l, m, true>(k, value, c, s, out);
+    constexpr double kForward = kStep<l, m> * (kCarried ? Weight(l) / Weight(l - 1) : 1.0);
+    constexpr double kBackward = kStepBack<l, m> * (kCarried ? Weight(l) / Weight(l - 2) : 1.0);
+    const V value = MulSub(Mul(k(kForward), z), below, Mul(k(kBackward), below2));
+    Row<l, m, !kCarried>(k, value, c, s, out);
     if constexpr (Wanted(l + 1)) Bands<l + 1, m>(k, z, value, below, c, s, out);
   }
 
