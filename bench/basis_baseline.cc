@@ -15,9 +15,16 @@ void Factored(size_t count, const float* directions, float* out) {
   }
 }
 
+void Engine(int order, size_t count, const float* directions, float* out) {
+  for (size_t i = 0; i < count; ++i) {
+    BasisEngineEval(out + static_cast<size_t>(order * order) * i, order, directions + 3 * i);
+  }
+}
+
+}  // namespace
+
 // The polynomials of Sloan 2008, appendix A2 (with its sign errors mended), squares shared.
-// Out of line: engines call it across files, once per direction.
-[[gnu::noinline]] void EvalDirection(float* y, int order, const float direction[3]) {
+void BasisEngineEval(float* y, int order, const float direction[3]) {
   const float dx = direction[0], dy = direction[1], dz = direction[2];
   const float xx = dx * dx, yy = dy * dy, zz = dz * dz;
   y[0] = 0.282094792f;
@@ -62,14 +69,6 @@ void Factored(size_t count, const float* directions, float* out) {
   y[34] = 2.075662315f * dz * (xx * xx - 6.0f * xx * yy + yy * yy);
   y[35] = -0.656382057f * dx * (xx * xx - 10.0f * xx * yy + 5.0f * yy * yy);
 }
-
-void Engine(int order, size_t count, const float* directions, float* out) {
-  for (size_t i = 0; i < count; ++i) {
-    EvalDirection(out + static_cast<size_t>(order * order) * i, order, directions + 3 * i);
-  }
-}
-
-}  // namespace
 
 void BasisFactored3(size_t count, const float* directions, float* out) {
   Factored<3>(count, directions, out);

@@ -9,6 +9,9 @@
 
 namespace gaunt::bench {
 
+// The engines' function, up to order 6. Out of line: they call it across files.
+[[gnu::noinline]] void BasisEngineEval(float* y, int order, const float direction[3]);
+
 void BasisFactored3(size_t count, const float* directions, float* out);
 void BasisFactored6(size_t count, const float* directions, float* out);
 void BasisEngine3(size_t count, const float* directions, float* out);

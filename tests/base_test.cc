@@ -142,6 +142,16 @@ void* CallOnSmallStack(void*) {
   EXPECT_EQ(gaunt_sh_dot(n, kChannels, kCount, &vf, &vf, &few), GAUNT_OK);
   EXPECT_EQ(gaunt_sh_blend(n, kChannels, kCount, &vf, &vf, &weights, &all), GAUNT_OK);
   EXPECT_EQ(gaunt_project_samples_add(n, kChannels, kCount, &vd, &few, &weights, sums), GAUNT_OK);
+  const gaunt_view one = {d, 0, 4, 0, 0};
+  for (const uint32_t order : {6u, n}) {
+    const gaunt_view zonal = view(f, kChannels * order);
+    const gaunt_view turned = view(out[0], kChannels * order * order);
+    for (const gaunt_view* directions : {&vd, &one}) {
+      EXPECT_EQ(gaunt_zonal_rotate_add(order, kChannels, kCount, &zonal, directions, &turned),
+                GAUNT_OK);
+    }
+    EXPECT_EQ(gaunt_zonal_convolve(order, kChannels, kCount, &zonal, &turned, &turned), GAUNT_OK);
+  }
   const gaunt_view values = view(out[1], kChannels);
   EXPECT_EQ(gaunt_project_samples(n, kChannels, kCount, &vd, &values, &weights, &all), GAUNT_OK);
   const gaunt_image image = {f, 32, 32, 16, 512, GAUNT_TEXEL_F32};

@@ -77,7 +77,7 @@ extern "C" {
 #define GAUNT_VERSION \
   (GAUNT_VERSION_MAJOR * 10000 + GAUNT_VERSION_MINOR * 100 + GAUNT_VERSION_PATCH)
 
-/** Highest order of the basis, of evaluation, projection and conversion. */
+/** Highest order of the basis, of evaluation, projection, zonal functions and conversion. */
 #define GAUNT_MAX_ORDER 64
 /** Highest order of light extraction in this version. */
 #define GAUNT_MAX_LIGHT_ORDER 6
@@ -577,6 +577,60 @@ GAUNT_API gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE.
  */
 GAUNT_API gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matrices, float* worst);
+
+/* ---- zonal ----------------------------------------------------------------------------------- */
+
+/**
+ * Turns zonal functions, which are symmetric about an axis, from +z to directions:
+ *   out(i, c, lm) = sqrt(4 pi / (2l+1)) z_c,l(i) y_lm(directions(i)),
+ * the coefficients of sum over l of z_l y_l0 about d instead of +z. A light, a lobe or a kernel of
+ * one shape goes in any direction at a fraction of the price of gaunt_rotate().
+ *
+ * n           order, 1 .. GAUNT_MAX_ORDER
+ * channels    1 .. GAUNT_MAX_CHANNELS
+ * count       pairs of a function and a direction; broadcast either for one with many
+ * zonal       channels * n planes, channel * n + l: the (l, 0) coefficients of functions about +z
+ * directions  3 planes, unit vectors
+ * out         channels * n^2 planes, in the quantity of `zonal`
+ *
+ * Accuracy:  |error| <= 3e-7 |z_l| up to order 3, and (2e-7 + 3.2e-8 (l+1)^2) |z_l| in band l above.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_zonal_rotate(uint32_t n, uint32_t channels, size_t count,
+                                          const gaunt_view* zonal, const gaunt_view* directions,
+                                          const gaunt_view* out);
+
+/**
+ * Adds what gaunt_zonal_rotate() writes to coefficients: lights to probes, for example.
+ *
+ * out  channels * n^2 planes, which are read and written. A NaN in them stays in its item.
+ *
+ * Accuracy:  as gaunt_zonal_rotate(), and 6e-8 of the sum.
+ */
+GAUNT_API gaunt_status gaunt_zonal_rotate_add(uint32_t n, uint32_t channels, size_t count,
+                                              const gaunt_view* zonal,
+                                              const gaunt_view* directions, const gaunt_view* out);
+
+/**
+ * Convolves functions with kernels that are symmetric about an axis:
+ *   out(i, c, lm) = sqrt(4 pi / (2l+1)) h_l(i) f_lm,c(i),
+ * the coefficients of the integral over the sphere of f(t) h(angle between s and t) dt at s. With
+ * h_l = sqrt((2l+1) / (4 pi)), out is f; with those of max(cos, 0), radiance becomes irradiance E.
+ *
+ * n         order, 1 .. GAUNT_MAX_ORDER
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     items; broadcast the kernel to convolve all of them alike
+ * kernel    n planes, the same for all channels: the (l, 0) coefficients of h about +z
+ * in, out   channels * n^2 planes
+ *
+ * Accuracy:  |error| <= 1.8e-7 of the result.
+ * Overlap:   in place on `in`.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_zonal_convolve(uint32_t n, uint32_t channels, size_t count,
+                                            const gaunt_view* kernel, const gaunt_view* in,
+                                            const gaunt_view* out);
 
 /* ---- light ----------------------------------------------------------------------------------- */
 

@@ -183,6 +183,24 @@ inline void RotateMatrix(uint32_t n, uint32_t channels, size_t count, const InVi
                 gaunt_rotate_matrix(n, channels, count, matrices.get(), in.get(), out.get()));
 }
 
+inline void ZonalRotate(uint32_t n, uint32_t channels, size_t count, const InView& zonal,
+                        const InView& directions, const OutView& out) {
+  detail::Check("gaunt_zonal_rotate",
+                gaunt_zonal_rotate(n, channels, count, zonal.get(), directions.get(), out.get()));
+}
+
+inline void ZonalRotateAdd(uint32_t n, uint32_t channels, size_t count, const InView& zonal,
+                           const InView& directions, const OutView& out) {
+  detail::Check("gaunt_zonal_rotate_add", gaunt_zonal_rotate_add(n, channels, count, zonal.get(),
+                                                                 directions.get(), out.get()));
+}
+
+inline void ZonalConvolve(uint32_t n, uint32_t channels, size_t count, const InView& kernel,
+                          const InView& in, const OutView& out) {
+  detail::Check("gaunt_zonal_convolve",
+                gaunt_zonal_convolve(n, channels, count, kernel.get(), in.get(), out.get()));
+}
+
 inline void LightDirection(uint32_t n, uint32_t channels, size_t count, const InView& in,
                            const float* weights, const OutView& directions) {
   detail::Check("gaunt_light_direction",

@@ -43,6 +43,38 @@ class BandTile {
 // Planes of a band of the highest order.
 inline constexpr size_t kMaxBandPlanes = 2 * kMaxOrder - 1;
 
+// A whole tile column by column, for planes that can be written where they lie: to(i) takes those of
+// the items from i up. Both groups of a tile go before the next columns, so that its cache lines fill
+// up.
+template <class To>
+HWY_NOINLINE void EvalTileColumns(int order, const simd::InView& directions, size_t first,
+                                  const To& to) {
+  HWY_ALIGN float direction[3 * kTileItems];
+  HWY_ALIGN float cosine[kTileItems], sine[kTileItems];
+  const Lanes k;
+  const LaneTag d;
+  LoadTiles(directions, ShapeOf(directions, 3), first, kTileItems, 3, direction);
+  for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
+    EvalZonal{order}(k, TileIn(direction + i), to(i));
+    hn::Store(hn::Load(d, direction + i), d, cosine + i);
+    hn::Store(hn::Load(d, direction + kTileItems + i), d, sine + i);
+  }
+  int m = 1;
+  for (; m + 1 < order; m += 2) {
+    for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
+      const PlanesIn xyz = TileIn(direction + i);
+      auto c = hn::Load(d, cosine + i), s = hn::Load(d, sine + i);
+      EvalColumnPair{order, m}(k, xyz(0), xyz(1), xyz(2), c, s, to(i));
+      hn::Store(c, d, cosine + i);
+      hn::Store(s, d, sine + i);
+    }
+  }
+  for (size_t i = 0; m < order && i < kTileItems; i += hn::Lanes(d)) {
+    EvalColumn{order, m}(k, TileIn(direction + i)(2), hn::Load(d, cosine + i),
+                         hn::Load(d, sine + i), to(i));
+  }
+}
+
 }  // namespace gaunt::basis::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -27,39 +27,6 @@ void EvalBatch(size_t count, const simd::InView& directions, const simd::OutView
   ForEachBatch(count, Eval<n>(), In<3>(directions), Out<kPlanes>(out));
 }
 
-// Whole tiles whose planes can be written where they lie, column by column; both groups of a tile
-// before the next columns, so that its cache lines fill up.
-HWY_NOINLINE void EvalTileColumns(int order, const simd::InView& directions, size_t first,
-                                  const simd::OutView& out) {
-  HWY_ALIGN float direction[3 * kTileItems];
-  HWY_ALIGN float cosine[kTileItems], sine[kTileItems];
-  const Lanes k;
-  const LaneTag d;
-  LoadTiles(directions, ShapeOf(directions, 3), first, kTileItems, 3, direction);
-  const auto to = [&](size_t i) {
-    return PlanesOut{out.Item(first) + i * sizeof(float), out.plane_stride};
-  };
-  for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
-    EvalZonal{order}(k, TileIn(direction + i), to(i));
-    hn::Store(hn::Load(d, direction + i), d, cosine + i);
-    hn::Store(hn::Load(d, direction + kTileItems + i), d, sine + i);
-  }
-  int m = 1;
-  for (; m + 1 < order; m += 2) {
-    for (size_t i = 0; i < kTileItems; i += hn::Lanes(d)) {
-      const PlanesIn xyz = TileIn(direction + i);
-      auto c = hn::Load(d, cosine + i), s = hn::Load(d, sine + i);
-      EvalColumnPair{order, m}(k, xyz(0), xyz(1), xyz(2), c, s, to(i));
-      hn::Store(c, d, cosine + i);
-      hn::Store(s, d, sine + i);
-    }
-  }
-  for (size_t i = 0; m < order && i < kTileItems; i += hn::Lanes(d)) {
-    EvalColumn{order, m}(k, TileIn(direction + i)(2), hn::Load(d, cosine + i),
-                         hn::Load(d, sine + i), to(i));
-  }
-}
-
 // Up to 16 directions band by band, so that any layout is written in the order of its planes.
 HWY_NOINLINE void EvalTileBands(int order, const simd::InView& directions, size_t first, size_t n,
                                 bool streams, const simd::OutView& out) {
@@ -86,7 +53,9 @@ void EvalAnyBatch(int order, size_t count, const simd::InView& directions,
   for (size_t first = 0; first < count; first += kTileItems) {
     const size_t n = std::min(kTileItems, count - first);
     if (contiguous && !streams && n == kTileItems) {
-      EvalTileColumns(order, directions, first, out);
+      EvalTileColumns(order, directions, first, [&](size_t i) {
+        return PlanesOut{out.Item(first) + i * sizeof(float), out.plane_stride};
+      });
     } else {
       EvalTileBands(order, directions, first, n, streams, out);
     }

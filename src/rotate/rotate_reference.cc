@@ -11,9 +11,8 @@
 #include "basis/basis_reference.h"
 
 namespace gaunt::rotate {
-namespace {
 
-// Nodes and weights of Gauss-Legendre quadrature, by Newton's iteration.
+// By Newton's iteration.
 void GaussLegendre(int n, std::vector<double>* nodes, std::vector<double>* weights) {
   for (int i = 0; i < n; ++i) {
     double x = std::cos(std::acos(-1.0) * (i + 0.75) / (n + 0.5)), slope = 1.0;
@@ -33,6 +32,8 @@ void GaussLegendre(int n, std::vector<double>* nodes, std::vector<double>* weigh
     weights->push_back(2.0 / ((1.0 - x * x) * slope * slope));
   }
 }
+
+namespace {
 
 // Exact for the product of two functions of an order.
 struct Quadrature {

@@ -4,8 +4,12 @@
 #define GAUNT_ROTATE_ROTATE_REFERENCE_H_
 
 #include <cstddef>
+#include <vector>
 
 namespace gaunt::rotate {
+
+// Nodes and weights of Gauss-Legendre quadrature, appended.
+void GaussLegendre(int n, std::vector<double>* nodes, std::vector<double>* weights);
 
 // Row-major matrix of a quaternion x y z w; of a zero quaternion, the identity.
 void MatrixReference(const double quaternion[4], double matrix[9]);

@@ -8,7 +8,7 @@
 
 namespace gaunt {
 
-// The highest order of families that go by recurrences: basis, evaluate, project.
+// The highest order of families that go by recurrences: basis, evaluate, project, zonal.
 inline constexpr int kMaxOrder = 64;
 // Orders whose kernels are unrolled at compile time.
 inline constexpr int kMaxUnrolledOrder = 6;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "bench/support.h"
+#include "bench/zonal_baseline.h"
+
+namespace gaunt::bench {
+namespace {
+
+void MakeFactors(size_t item, size_t planes, float* out) {
+  for (size_t p = 0; p < planes; ++p) out[p] = static_cast<float>((item * 7 + p * 13) % 29) / 29.0f;
+}
+
+std::string Variant(uint32_t channels) { return channels == 1 ? "mono" : "rgb"; }
+
+// `counted` is the row of operations.
+BatchBenchmark RotateBenchmark(const std::string& op, const std::string& counted, uint32_t n,
+                               uint32_t channels) {
+  BatchBenchmark batch;
+  batch.name = "zonal/" + op + "_" + Variant(channels) + "/n" + std::to_string(n);
+  batch.operations = OperationsOf(counted, std::to_string(n), Variant(channels));
+  batch.inputs = {size_t{channels} * n, 3};
+  batch.outputs = {size_t{channels} * n * n};
+  batch.make = [=](size_t item, size_t side, float* out) {
+    if (side == 1) return MakeDirection(item, side, out);
+    MakeFactors(item, channels * n, out);
+  };
+  batch.call = [=](size_t count, const BatchBenchmark::Views& in,
+                   const BatchBenchmark::Views& out) {
+    return gaunt_zonal_rotate(n, channels, count, in[0], in[1], out[0]);
+  };
+  return batch;
+}
+
+void RegisterRotate(uint32_t n, uint32_t channels) {
+  const BatchBenchmark rotate = RotateBenchmark("rotate", "zonal_rotate", n, channels);
+  RegisterBatch(rotate);
+  BatchBenchmark add = RotateBenchmark("rotate_add", "zonal_rotate_add", n, channels);
+  add.more_read = channels * n * n * sizeof(float);
+  add.call = [=](size_t count, const BatchBenchmark::Views& in, const BatchBenchmark::Views& out) {
+    return gaunt_zonal_rotate_add(n, channels, count, in[0], in[1], out[0]);
+  };
+  RegisterBatch(add);
+  if (n > 6) return;
+  const size_t zonal = channels * n;
+  RegisterScalar({rotate.name, "engine", zonal + 3, channels * n * n,
+                  [=](size_t count, const float* in, float* out) {
+                    ZonalEngine(static_cast<int>(n), static_cast<int>(channels), count, in, out);
+                  },
+                  [=](size_t item, size_t side, float* out) {
+                    MakeFactors(item, zonal, out);
+                    MakeDirection(item, side, out + zonal);
+                  }});
+}
+
+void RegisterOneForAll(uint32_t n) {
+  BatchBenchmark batch = RotateBenchmark("rotate_one_zonal", "zonal_rotate", n, 3);
+  batch.broadcast = {0};
+  RegisterBatch(batch);
+  batch = RotateBenchmark("rotate_one_direction", "zonal_one_direction", n, 3);
+  batch.broadcast = {1};
+  RegisterBatch(batch);
+}
+
+void RegisterConvolve(uint32_t n, bool one_kernel) {
+  const std::string op = one_kernel ? "convolve_one_kernel" : "convolve";
+  BatchBenchmark batch;
+  batch.name = "zonal/" + op + "_rgb/n" + std::to_string(n);
+  batch.operations =
+      OperationsOf(one_kernel ? "zonal_one_kernel" : "zonal_convolve", std::to_string(n), "rgb");
+  batch.inputs = {n, size_t{3} * n * n};
+  batch.outputs = {size_t{3} * n * n};
+  if (one_kernel) batch.broadcast = {0};
+  batch.call = [=](size_t count, const BatchBenchmark::Views& in,
+                   const BatchBenchmark::Views& out) {
+    return gaunt_zonal_convolve(n, 3, count, in[0], in[1], out[0]);
+  };
+  RegisterBatch(batch);
+}
+
+}  // namespace
+
+GAUNT_BENCHMARKS(zonal) {
+  for (const uint32_t n : {3u, 4u, 5u, 6u, 10u}) {
+    for (const uint32_t channels : {1u, 3u}) RegisterRotate(n, channels);
+  }
+  for (const uint32_t n : {3u, 6u}) {
+    RegisterOneForAll(n);
+    RegisterConvolve(n, false);
+    RegisterConvolve(n, true);
+  }
+  RegisterConvolve(10, false);
+}
+
+}  // namespace gaunt::bench
