@@ -43,9 +43,9 @@ class BandTile {
 // Planes of a band of the highest order.
 inline constexpr size_t kMaxBandPlanes = 2 * kMaxOrder - 1;
 
-// A whole tile column by column, for planes that can be written where they lie: to(i) takes those of
-// the items from i up. Both groups of a tile go before the next columns, so that its cache lines fill
-// up.
+// A whole tile column by column, for planes that can be written where they lie: to(i) takes those
+// of the items from i up. Both groups of a tile go before the next columns, so that its cache lines
+// fill up.
 template <class To>
 HWY_NOINLINE void EvalTileColumns(int order, const simd::InView& directions, size_t first,
                                   const To& to) {

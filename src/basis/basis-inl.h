@@ -29,8 +29,8 @@ GAUNT_LANES void Turn(V x, V y, V& c, V& s) {
 //   y_l^m = q_l^m(z) c_m(x, y),   y_l^-m = q_l^m(z) s_m(x, y),
 // where c_m + i s_m = (-1)^m sqrt2 (x + i y)^m and q_l^m is the associated Legendre function
 // without its sin^m, times the norm. q is kept scaled so that the first row of each column is one
-// constant. Where no weight is zero, the recurrences carry them in their constants. Else the first
-// three rows of a column, which are closed forms, take them up, unless further rows go on from them.
+// constant. Where no weight is zero, the constants of the recurrences carry them. Else the first
+// three rows of a column, which are closed forms, take them up, unless others go on from them.
 template <int n, class Weights = UnitBands>
 struct Eval {
   template <class K, class In, class Out>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Kernels of zonal functions: turned to a direction, and convolved with. What they write are products
-// of two factors; where a kernel gets the planes that were there as well, they are added to.
+// Kernels of zonal functions: turned to a direction, and convolved with. They write products of two
+// factors; where a kernel gets the planes that were there as well, it adds to them.
 #if defined(GAUNT_ZONAL_ZONAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GAUNT_ZONAL_ZONAL_INL_H_
 #undef GAUNT_ZONAL_ZONAL_INL_H_
