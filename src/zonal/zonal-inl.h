@@ -50,22 +50,6 @@ GAUNT_LANES AddToPlanes<Out, Before> ProductsTo(const Out& out, const Before& be
   return {out, before};
 }
 
-// Takes y_lm as they are made, in any order, and multiplies them for each channel.
-template <class InZ, class To>
-struct EmitProducts {
-  InZ zonal;
-  To to;
-  size_t order;
-  size_t channels;
-
-  template <class V>
-  GAUNT_LANES void operator()(size_t i, V y) const {
-    for (size_t c = 0; c < channels; ++c) {
-      to(c * order * order + i, zonal(c * order + kTables.band[i]), y);
-    }
-  }
-};
-
 // Factor l times plane lm, for all bands l < n.
 template <int n>
 struct ScaleBands {
@@ -91,7 +75,7 @@ struct ScaleBands {
 };
 
 // Turns the zonal function of each channel to a direction. The basis, weighed by ZonalBands, is
-// evaluated once and kept in slots: written channel by channel, planes follow each other.
+// evaluated once and kept in slots, for one channel too: planes are best written in their order.
 template <int n>
 struct Rotate {
   size_t channels;
@@ -105,18 +89,6 @@ struct Rotate {
     for (size_t c = 0; c < channels; ++c) {
       ScaleBands<n>()(zonal.From(c * n), y, to.From(c * NumCoefficients(n)));
     }
-  }
-};
-
-// The same of one channel, which needs no slots: each y_lm is multiplied when it is made.
-template <int n>
-struct RotateOne {
-  template <class K, class InZ, class InD, class... Out>
-  GAUNT_LANES void operator()(const K& k, const InZ& zonal, const InD& direction,
-                              const Out&... out) const {
-    auto to = ProductsTo(out...);
-    basis::HWY_NAMESPACE::Eval<n, ZonalBands>()(k, direction,
-                                                EmitProducts<InZ, decltype(to)>{zonal, to, n, 1});
   }
 };
 
@@ -177,6 +149,22 @@ struct Convolve {
     typename K::template Slots<n> weighed;
     WeighBands{n}(k, kernel, weighed);
     ConvolveWeighed<n>{channels}(k, weighed, in, out);
+  }
+};
+
+// Any order: takes y_lm as they are made, column by column, and multiplies them for each channel.
+template <class InZ, class To>
+struct EmitProducts {
+  InZ zonal;
+  To to;
+  size_t order;
+  size_t channels;
+
+  template <class V>
+  GAUNT_LANES void operator()(size_t i, V y) const {
+    for (size_t c = 0; c < channels; ++c) {
+      to(c * order * order + i, zonal(c * order + kTables.band[i]), y);
+    }
   }
 };
 

@@ -50,13 +50,10 @@ template <int n, bool kAdd>
 void RotateBatch(size_t channels, size_t count, const simd::InView& zonal,
                  const simd::InView& directions, const simd::OutView& out) {
   if (count > 1 && directions.IsBroadcast()) {
-    RotateToOneBatch<n, kAdd>(channels, count, zonal, directions, out);
-  } else if (channels == 1) {
-    ForEachOutput<n, kAdd>(1, count, RotateOne<n>(), out, In<n>(zonal), In<3>(directions));
-  } else {
-    ForEachOutput<n, kAdd>(channels, count, Rotate<n>{channels}, out,
-                           In<kMaxChannels * n>(zonal, channels * n), In<3>(directions));
+    return RotateToOneBatch<n, kAdd>(channels, count, zonal, directions, out);
   }
+  ForEachOutput<n, kAdd>(channels, count, Rotate<n>{channels}, out,
+                         In<kMaxChannels * n>(zonal, channels * n), In<3>(directions));
 }
 
 template <int n>

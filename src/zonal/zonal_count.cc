@@ -22,13 +22,10 @@ void AppendRows(OperationRows& rows, int order, size_t channels, const Operation
 template <int n>
 void Append(OperationRows& rows) {
   const CountPlanes p;
-  AppendRows(rows, n, 1, CountKernel(kernels::RotateOne<n>(), p, p, p),
-             CountKernel(kernels::RotateOne<n>(), p, p, p, p),
-             CountKernel(kernels::Convolve<n>{1}, p, p, p));
-  AppendRows(rows, n, 3, CountKernel(kernels::Rotate<n>{3}, p, p, p),
-             CountKernel(kernels::Rotate<n>{3}, p, p, p, p),
-             CountKernel(kernels::Convolve<n>{3}, p, p, p));
   for (const size_t channels : {1, 3}) {
+    const kernels::Rotate<n> rotate{channels};
+    AppendRows(rows, n, channels, CountKernel(rotate, p, p, p), CountKernel(rotate, p, p, p, p),
+               CountKernel(kernels::Convolve<n>{channels}, p, p, p));
     const std::string variant = channels == 1 ? "mono" : "rgb";
     // One direction for all, whose basis is found once per call, and one kernel, weighed once.
     rows.push_back({"zonal_one_direction", std::to_string(n), variant,
