@@ -15,11 +15,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::zonal::HWY_NAMESPACE {
 
-simd::InView AsInput(const simd::OutView& view) {
+inline simd::InView AsInput(const simd::OutView& view) {
   return {view.data, view.item_stride, view.plane_stride, view.tile_stride, view.tile_items};
 }
 
-PlanesIn AsRead(const PlanesOut& planes) { return {planes.data, planes.stride}; }
+GAUNT_LANES PlanesIn AsRead(const PlanesOut& planes) { return {planes.data, planes.stride}; }
 
 // Runs a kernel that writes coefficients of order n, or adds to them.
 template <int n, bool kAdd, class Kernel, class... Ins>
@@ -85,6 +85,7 @@ class FactorTile {
       : view_(view), order_(static_cast<size_t>(order)), channels_(channels) {}
 
   HWY_NOINLINE void Load(size_t first, size_t n) {
+    if (view_.IsBroadcast() && first != 0) return;  // it is there
     const size_t planes = channels_ * order_;
     LoadTiles(view_, ShapeOf(view_, planes), first, n, planes, tile_);
     for (size_t c = 0; c < channels_; ++c) {
@@ -234,33 +235,41 @@ void RotateBands(int order, size_t channels, const FactorTile& factors, Bands& b
   }
 }
 
+// Out of line, as is the next: the stack holds the bands of one of them at most.
+template <bool kAdd>
+HWY_NOINLINE void RotateAnyToOne(int order, size_t channels, size_t count, FactorTile& factors,
+                                 const simd::InView& directions, const BandOutput<kAdd>& output) {
+  ItemBands bands(order, directions);
+  for (size_t first = 0; first < count; first += kTileItems) {
+    const size_t n = std::min(kTileItems, count - first);
+    factors.Load(first, n);
+    RotateBands<kAdd>(order, channels, factors, bands, output, first, n);
+  }
+}
+
+template <bool kAdd>
+HWY_NOINLINE void RotateAnyToEach(int order, size_t channels, size_t count, FactorTile& factors,
+                                  const simd::InView& directions, const BandOutput<kAdd>& output) {
+  TileBands bands(directions);
+  for (size_t first = 0; first < count; first += kTileItems) {
+    const size_t n = std::min(kTileItems, count - first);
+    factors.Load(first, n);
+    if (output.Direct(n)) {
+      RotateColumns<kAdd>(order, channels, factors, directions, output, first);
+    } else {
+      RotateBands<kAdd>(order, channels, factors, bands, output, first, n);
+    }
+  }
+}
+
 template <bool kAdd>
 void RotateAnyBatch(int order, size_t channels, size_t count, const simd::InView& zonal,
                     const simd::InView& directions, const simd::OutView& out) {
   FactorTile factors(zonal, order, channels);
   const BandOutput<kAdd> output(out, count, FirstPlane(order, channels, 0));
-  const auto for_each_tile = [&](const auto& rotate) {
-    for (size_t first = 0; first < count; first += kTileItems) {
-      const size_t n = std::min(kTileItems, count - first);
-      factors.Load(first, n);
-      rotate(first, n);
-    }
-  };
-  if (count > 1 && directions.IsBroadcast()) {
-    ItemBands bands(order, directions);
-    for_each_tile([&](size_t first, size_t n) {
-      RotateBands<kAdd>(order, channels, factors, bands, output, first, n);
-    });
-  } else {
-    TileBands bands(directions);
-    for_each_tile([&](size_t first, size_t n) {
-      if (output.Direct(n)) {
-        RotateColumns<kAdd>(order, channels, factors, directions, output, first);
-      } else {
-        RotateBands<kAdd>(order, channels, factors, bands, output, first, n);
-      }
-    });
-  }
+  const bool to_one = count > 1 && directions.IsBroadcast();
+  (to_one ? &RotateAnyToOne<kAdd> : &RotateAnyToEach<kAdd>)(order, channels, count, factors,
+                                                            directions, output);
 }
 
 // A band's planes of a tile of items, where they lie if they are contiguous.
