@@ -583,8 +583,8 @@ GAUNT_API gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matr
 /**
  * Turns zonal functions, which are symmetric about an axis, from +z to directions:
  *   out(i, c, lm) = sqrt(4 pi / (2l+1)) z_c,l(i) y_lm(directions(i)),
- * the coefficients of sum over l of z_l y_l0 about d instead of +z. A light, a lobe or a kernel of
- * one shape goes in any direction at a fraction of the price of gaunt_rotate().
+ * the coefficients of the sum over l of z_l y_l0 about directions(i) instead of +z. Lights, lobes
+ * and kernels are such functions; they need no rotation, only where they go.
  *
  * n           order, 1 .. GAUNT_MAX_ORDER
  * channels    1 .. GAUNT_MAX_CHANNELS
@@ -593,7 +593,8 @@ GAUNT_API gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matr
  * directions  3 planes, unit vectors
  * out         channels * n^2 planes, in the quantity of `zonal`
  *
- * Accuracy:  |error| <= 3e-7 |z_l| up to order 3, and (2e-7 + 3.2e-8 (l+1)^2) |z_l| in band l above.
+ * Accuracy:  |error| <= e |z_l| in band l, with e = 3e-7 up to order 3, and 2e-7 + 3.2e-8 (l+1)^2
+ *            above.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
