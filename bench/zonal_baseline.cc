@@ -25,10 +25,13 @@ const float kBandFactor[6] = {3.544907702f, 2.046653416f, 1.585330919f,
 
 }  // namespace
 
-void ZonalEngine(int order, int channels, size_t count, const float* items, float* out) {
-  const int zonal = channels * order, planes = channels * order * order;
-  for (size_t i = 0; i < count; ++i, items += zonal + 3, out += planes) {
-    RotateZonal(out, order, channels, items, items + zonal);
+void ZonalEngine(int order, int channels, size_t count, const float* zonal, const float* directions,
+                 float* out) {
+  for (size_t i = 0; i < count; ++i) {
+    RotateZonal(out, order, channels, zonal, directions);
+    zonal += channels * order;
+    directions += 3;
+    out += channels * order * order;
   }
 }
 

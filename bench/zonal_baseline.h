@@ -7,9 +7,9 @@
 
 namespace gaunt::bench {
 
-// Items are channels * order zonal coefficients and a direction: a call per item, which evaluates
-// the basis and multiplies each band. Up to order 6.
-void ZonalEngine(int order, int channels, size_t count, const float* items, float* out);
+// A call per item, which evaluates the basis and multiplies each band. Up to order 6.
+void ZonalEngine(int order, int channels, size_t count, const float* zonal, const float* directions,
+                 float* out);
 
 }  // namespace gaunt::bench
 

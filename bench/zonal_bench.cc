@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/support.h"
 #include "bench/zonal_baseline.h"
+#include "zonal/zonal_reference.h"
 
 namespace gaunt::bench {
 namespace {
@@ -27,6 +28,12 @@ BatchBenchmark RotateBenchmark(const std::string& op, const std::string& counted
                    const BatchBenchmark::Views& out) {
     return gaunt_zonal_rotate(n, channels, count, in[0], in[1], out[0]);
   };
+  if (channels == 1) {  // what is charted
+    batch.reference = [n](const std::vector<const double*>& in, double* out) {
+      zonal::RotateReference(static_cast<int>(n), in[0], in[1], out);
+    };
+    batch.label = "each to its direction";
+  }
   return batch;
 }
 
@@ -35,20 +42,25 @@ void RegisterRotate(uint32_t n, uint32_t channels) {
   RegisterBatch(rotate);
   BatchBenchmark add = RotateBenchmark("rotate_add", "zonal_rotate_add", n, channels);
   add.more_read = channels * n * n * sizeof(float);
+  add.reference = nullptr;
+  add.label.clear();
   add.call = [=](size_t count, const BatchBenchmark::Views& in, const BatchBenchmark::Views& out) {
     return gaunt_zonal_rotate_add(n, channels, count, in[0], in[1], out[0]);
   };
   RegisterBatch(add);
   if (n > 6) return;
-  const size_t zonal = channels * n;
-  RegisterScalar({rotate.name, "engine", zonal + 3, channels * n * n,
-                  [=](size_t count, const float* in, float* out) {
-                    ZonalEngine(static_cast<int>(n), static_cast<int>(channels), count, in, out);
-                  },
-                  [=](size_t item, size_t side, float* out) {
-                    MakeFactors(item, zonal, out);
-                    MakeDirection(item, side, out + zonal);
-                  }});
+  ScalarBenchmark engine;
+  engine.name = rotate.name;
+  engine.baseline = "engine";
+  engine.inputs = rotate.inputs;
+  engine.output = rotate.outputs[0];
+  engine.call = [=](size_t count, const std::vector<const float*>& in, float* out) {
+    ZonalEngine(static_cast<int>(n), static_cast<int>(channels), count, in[0], in[1], out);
+  };
+  engine.make = rotate.make;
+  engine.reference = rotate.reference;
+  if (channels == 1) engine.label = "scalar: basis times bands";
+  RegisterScalar(engine);
 }
 
 void RegisterOneForAll(uint32_t n) {
@@ -79,7 +91,7 @@ void RegisterConvolve(uint32_t n, bool one_kernel) {
 }  // namespace
 
 GAUNT_BENCHMARKS(zonal) {
-  for (const uint32_t n : {3u, 4u, 5u, 6u, 10u}) {
+  for (const uint32_t n : {2u, 3u, 4u, 5u, 6u, 7u, 8u, 10u}) {
     for (const uint32_t channels : {1u, 3u}) RegisterRotate(n, channels);
   }
   for (const uint32_t n : {3u, 6u}) {
