@@ -21,7 +21,7 @@ using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
 // Orders that have a kernel of their own, with all bands inlined. Those above share one, where bands
 // are functions.
-inline constexpr int kMaxInlinedOrder = 6;
+inline constexpr int kMaxInlinedOrder = 8;
 inline constexpr int kAnyOrder = 0;
 
 template <template <int> class Band, class K, class Context, class In, class Out>
