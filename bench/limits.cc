@@ -188,14 +188,15 @@ const ArithmeticLimits& MeasureArithmetic() {
 }
 
 const MemoryLimits& MeasureMemory(size_t working_set) {
-  // Well inside the caches of the machines at hand, and beyond them.
-  const size_t levels[] = {24u << 10, 192u << 10, 640u << 10, 8u << 20, 128u << 20};
-  size_t level = 0;
-  while (level < 4 && working_set > levels[level] * 4 / 3) ++level;
+  // The largest size that is not above it, in steps of sqrt(2).
+  constexpr size_t kSmallest = 16u << 10, kLargest = 128u << 20;
+  size_t bytes = kSmallest;
+  while (bytes < kLargest && bytes * 2 <= working_set) bytes *= 2;
+  if (bytes < kLargest && bytes * 181 / 128 <= working_set) bytes = bytes * 181 / 128;
   static std::map<std::pair<std::string, size_t>, MemoryLimits> measured;
-  const auto [entry, is_new] = measured.try_emplace({simd::ChosenTargetName(), level});
+  const auto [entry, is_new] = measured.try_emplace({simd::ChosenTargetName(), bytes});
   if (is_new) {
-    const size_t bytes = levels[level], floats = bytes / sizeof(float);
+    const size_t floats = bytes / sizeof(float);
     constexpr size_t kLine = 16;
     std::vector<float> memory(floats + kLine, 1.0f);
     float* const data =

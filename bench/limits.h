@@ -26,7 +26,8 @@ struct MemoryLimits {
 
 // Of the chosen target; measured once per target.
 const ArithmeticLimits& MeasureArithmetic();
-// At the cache level that holds a working set; measured once per target and level.
+// Of memory of the size of a working set, or up to 1.4 times smaller; measured once per target and
+// size.
 const MemoryLimits& MeasureMemory(size_t working_set);
 
 // Nanoseconds that an item takes at least: the longest of its multiplications, its additions, its

@@ -86,7 +86,9 @@ void RunBatch(benchmark::State& state, const BatchBenchmark& batch, Layout layou
   }
   const double time = Time(state, [&] { batch.call(count, in_views, out_views); });
   const double per_item = time / static_cast<double>(count);
-  const double limit = LimitOf(batch.operations, read, written, (read + written) * count);
+  const size_t working_set = (read + written) * count;
+  if (batch.reads_output) read += written;
+  const double limit = LimitOf(batch.operations, read, written, working_set);
   state.SetLabel(batch.label);
   state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * count));
   state.SetBytesProcessed(static_cast<int64_t>(state.iterations() * count * (read + written)));

@@ -34,6 +34,7 @@ struct BatchBenchmark {
   std::vector<size_t> broadcast;  // inputs that are one item for all
   // Bytes per item that are not in views: packed records, indices, weights.
   size_t more_read = 0, more_written = 0;
+  bool reads_output = false;
   Reference reference;  // of the first output; where given, errors are measured
   // The method in words: `gaunt chart` draws rows that have one, so that all of them in a family do
   // the same job.

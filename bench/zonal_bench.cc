@@ -41,7 +41,7 @@ void RegisterRotate(uint32_t n, uint32_t channels) {
   const BatchBenchmark rotate = RotateBenchmark("rotate", "zonal_rotate", n, channels);
   RegisterBatch(rotate);
   BatchBenchmark add = RotateBenchmark("rotate_add", "zonal_rotate_add", n, channels);
-  add.more_read = channels * n * n * sizeof(float);
+  add.reads_output = true;
   add.reference = nullptr;
   add.label.clear();
   add.call = [=](size_t count, const BatchBenchmark::Views& in, const BatchBenchmark::Views& out) {

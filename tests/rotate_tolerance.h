@@ -7,7 +7,7 @@
 
 namespace gaunt::test {
 
-constexpr double RotateTolerance(uint32_t n) { return n <= 6 ? 2e-6 : 5e-7 * n; }
+constexpr double RotateTolerance(uint32_t n) { return n <= 6 ? 2e-6 : 3e-7 * n; }
 // One quaternion for 256 items or more.
 constexpr double RotateOneTolerance(uint32_t n) { return n <= 6 ? 5e-7 : 1.2e-6; }
 

@@ -542,7 +542,7 @@ GAUNT_API gaunt_status gaunt_project_sums(uint32_t n, uint32_t channels, const d
  *              quaternion is the identity.
  * in, out      channels * n^2 planes
  *
- * Accuracy:  |error| <= 2e-6 up to order 6, 5e-7 n above, for coefficients in [-1, 1]; with a plan
+ * Accuracy:  |error| <= 2e-6 up to order 6, 3e-7 n above, for coefficients in [-1, 1]; with a plan
  *            5e-7 and 1.2e-6. A plan that keeps the z axis on its line at right angles is exact: it moves
  *            and negates coefficients.
  * Overlap:   in place on `in`.
@@ -559,7 +559,7 @@ GAUNT_API gaunt_status gaunt_rotate(uint32_t n, uint32_t channels, size_t count,
  *           gaunt_rotation_check(): a matrix that is off by e gives coefficients of order n that are
  *           off by about n e. A determinant of -1 mirrors: f(R^-1 s) is meant as it stands.
  *
- * Accuracy:  |error| <= 2e-6 up to order 6, 5e-7 n above, for coefficients in [-1, 1]. With a plan,
+ * Accuracy:  |error| <= 2e-6 up to order 6, 3e-7 n above, for coefficients in [-1, 1]. With a plan,
  *            matrices that mirror, or swap x and y, or both, are exact; those that swap z with x or y
  *            are within 5e-7 and 1.2e-6.
  */

@@ -43,12 +43,13 @@ enum AnglePlane {
 };
 
 // Planes of cos and sin of one angle, to length 1 once more by a step of Newton's: an error of the
-// length would grow with each power.
+// length would grow with each power. What it adds is rounded for itself: a factor near 1 would round
+// down more than up, and shrink what is rotated again and again.
 template <class K, class V, class Out>
 GAUNT_LANES void PutAngle(const K& k, size_t plane, V c, V s, const Out& angles) {
-  const V correction = NegMulAdd(k(0.5), MulAdd(c, c, Mul(s, s)), k(1.5));
-  angles(plane, Mul(c, correction));
-  angles(plane + 1, Mul(s, correction));
+  const V lacking = Mul(k(0.5), NegMulAdd(s, s, NegMulAdd(c, c, k(1.0))));
+  angles(plane, MulAdd(c, lacking, c));
+  angles(plane + 1, MulAdd(s, lacking, s));
 }
 
 // The angles of a quaternion of any length.
@@ -263,7 +264,7 @@ struct RotateBand {
   }
 
   static constexpr double Entry(int m_out, int m_in) {
-    return kTurn.entry[TurnIndex(l, m_out, m_in)];
+    return kFloatTurn.entry[TurnIndex(l, m_out, m_in)];
   }
   static constexpr bool AnyEntry(int m_out, int first, int last) {
     for (int m_in = first; m_in <= last; m_in += 2) {

@@ -54,6 +54,77 @@ struct TurnTable {
 
 inline constexpr TurnTable kTurn;
 
+// The same in float, for what applies it again and again: rounded so that no band as a whole grows
+// or shrinks, which rounding each entry to the nearest does by up to 4e-8 each time.
+struct FloatTurnTable {
+  float entry[TurnIndex(kMaxTurnOrder, 0, 0)] = {};
+
+  constexpr FloatTurnTable() {
+    for (int l = 0; l < kMaxTurnOrder; ++l) {
+      double growth = 0.0;  // of the sum of squares, halved
+      for (int m_out = 0; m_out <= l; ++m_out) {
+        for (int m_in = 0; m_in <= l; ++m_in) {
+          const int i = TurnIndex(l, m_out, m_in);
+          entry[i] = static_cast<float>(kTurn.entry[i]);
+          growth += IsUsed(l, m_out, m_in) * kTurn.entry[i] * (double{entry[i]} - kTurn.entry[i]);
+        }
+      }
+      while (Improve(l, growth)) {
+      }
+    }
+  }
+
+ private:
+  // Sines have no entries for m = 0.
+  static constexpr bool IsUsed(int l, int m_out, int m_in) {
+    return (l + m_out + m_in) % 2 == 0 || (m_out != 0 && m_in != 0);
+  }
+
+  static constexpr float Ulp(float x) {
+    float power = 1.0f;
+    while (power > (x < 0.0f ? -x : x)) power *= 0.5f;
+    return power * 0x1p-23f;
+  }
+
+  // Moves the entry, and its twin across the diagonal, that brings the growth closest to 0, to a float
+  // beside it that is within one ulp of the exact value. False if none brings it closer.
+  constexpr bool Improve(int l, double& growth) {
+    Move best = {};
+    double least = Abs(growth);
+    for (int m_out = 0; m_out <= l; ++m_out) {
+      for (int m_in = m_out; m_in <= l; ++m_in) {
+        const int i = TurnIndex(l, m_out, m_in);
+        const double exact = kTurn.entry[i];
+        // Ones stay what they are, and cost no multiplication.
+        if (!IsUsed(l, m_out, m_in) || exact == 0.0 || Abs(exact) == 1.0) continue;
+        const float ulp = Ulp(entry[i]);
+        for (const float to : {entry[i] - ulp, entry[i] + ulp}) {
+          if (Abs(to - exact) > double{ulp}) continue;
+          const double twins = m_out == m_in ? 1.0 : 2.0;
+          const double moved = growth + twins * exact * (double{to} - double{entry[i]});
+          if (Abs(moved) < least) {
+            least = Abs(moved);
+            best = {i, TurnIndex(l, m_in, m_out), to, moved};
+          }
+        }
+      }
+    }
+    if (least == Abs(growth)) return false;
+    entry[best.index] = entry[best.twin] = best.to;
+    growth = best.growth;
+    return true;
+  }
+
+  struct Move {
+    int index, twin;
+    float to;
+    double growth;
+  };
+  static constexpr double Abs(double x) { return x < 0.0 ? -x : x; }
+};
+
+inline constexpr FloatTurnTable kFloatTurn;
+
 }  // namespace gaunt::rotate
 
 #endif  // GAUNT_ROTATE_TURN_H_

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# record.sh GAUNT_BENCH FILE.json: runs the benchmarks whose results are kept, some 4 minutes, and
+# writes medians and coefficients of variation. Needs python3.
+set -euo pipefail
+
+tiled='tiled/(1000|1024|1048576)'
+rows="basis/.*/(tiled|interleaved)/(1000|1024|1048576)/"
+rows+="|evaluate/irradiance.*/(tiled|interleaved)/(1000|1024)/"
+rows+="|(rotate|zonal)/.*/($tiled|interleaved/1024)/|project/|frame/"
+methods='AVX2|AVX3|factored|engine|scalar|zxzxz|blocks|/A|/A2|A_clang_native|A2_clang_native'
+
+out=$(mktemp)
+trap 'rm -f "$out"' EXIT
+"$1" --benchmark_filter="($rows).*($methods)\$|rotate/drift" --benchmark_min_time=0.01 \
+  --benchmark_repetitions=11 --benchmark_enable_random_interleaving=true \
+  --benchmark_report_aggregates_only=true --benchmark_out="$out" --benchmark_out_format=json >&2
+python3 - "$out" >"$2" <<'END'
+import json, sys
+
+results = json.load(open(sys.argv[1]))
+context = results["context"]
+for key in ("host_name", "executable", "load_avg"):
+    context.pop(key, None)
+kept = []
+for row in results["benchmarks"]:
+    if row.get("aggregate_name") not in ("median", "cv"):
+        continue
+    for key in ("family_index", "per_family_instance_index", "threads", "iterations",
+                "aggregate_unit", "items_per_second", "bytes_per_second"):
+        row.pop(key, None)
+    if row["aggregate_name"] == "cv":  # of the time alone
+        row = {key: row[key] for key in ("name", "run_name", "run_type", "aggregate_name", "ns_item")
+               if key in row}
+    kept.append(row)
+kept.sort(key=lambda row: row["name"])
+print(json.dumps({"context": context, "benchmarks": kept}, indent=1))
+END
