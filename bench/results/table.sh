@@ -18,6 +18,15 @@ awk -F'"' '
       row("basis, order " n ", tiled", "basis/eval/n" n "/tiled/1024", engine)
       row("basis, order " n ", interleaved", "basis/eval/n" n "/interleaved/1024", engine)
     }
+    for (n = 3; n <= 6; n += 3) {
+      each = "rotate/quaternion_mono/n" n
+      row("rotation by a quaternion each, order " n, each "/tiled/1024",
+          each "/interleaved/1024/zxzxz")
+    }
+    for (n = 3; n <= 6; n += 3) {
+      one = "rotate/one_mono/n" n
+      row("rotation of all by one, order " n, one "/tiled/1024", one "/interleaved/1024/blocks")
+    }
     probe = "evaluate/irradiance_one_probe/n3/"
     row("E/π, RGB, one probe at many normals, tiled", probe "tiled/1024",
         probe "interleaved/1024/engine")

@@ -530,9 +530,9 @@ GAUNT_API gaunt_status gaunt_project_sums(uint32_t n, uint32_t channels, const d
  * coefficients of band l it is an orthogonal matrix of 2l + 1 rows, which is never built: tensors up
  * to order 3, above it turns about z with constant swaps of axes between them. No angle is singular.
  *
- * What turns again and again should be kept unrotated beside its whole rotation, and be rotated from
- * there: after 1000 rotations of the coefficients themselves the errors have grown some 20 times, and
- * their norm drifts. `gaunt chart rotate` shows it.
+ * Of what turns again and again, keep the unrotated coefficients and the whole rotation, as a
+ * quaternion that is normalised or as a matrix, and rotate once: after 1000 small rotations that is
+ * off by 5e-6 or 2e-6 of the norm at order 6, and coefficients rotated 1000 times by 8e-6 and more.
  *
  * n            order, 1 .. GAUNT_MAX_ROTATE_ORDER
  * channels     1 .. GAUNT_MAX_CHANNELS

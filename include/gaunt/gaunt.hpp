@@ -183,6 +183,12 @@ inline void RotateMatrix(uint32_t n, uint32_t channels, size_t count, const InVi
                 gaunt_rotate_matrix(n, channels, count, matrices.get(), in.get(), out.get()));
 }
 
+inline float RotationCheck(size_t count, const InView& matrices) {
+  float worst = 0.0f;
+  detail::Check("gaunt_rotation_check", gaunt_rotation_check(count, matrices.get(), &worst));
+  return worst;
+}
+
 inline void ZonalRotate(uint32_t n, uint32_t channels, size_t count, const InView& zonal,
                         const InView& directions, const OutView& out) {
   detail::Check("gaunt_zonal_rotate",
