@@ -7,8 +7,6 @@
 namespace gaunt::bench {
 namespace {
 
-constexpr size_t kChecked = 256;
-
 std::vector<double> Exact(const Reference& reference, size_t item, const std::vector<Planes>& in,
                           size_t planes) {
   std::vector<std::vector<double>> inputs;
@@ -22,10 +20,11 @@ std::vector<double> Exact(const Reference& reference, size_t item, const std::ve
 
 }  // namespace
 
-Errors Accuracy::Measure(size_t count, const std::vector<Planes>& in, const Planes& out) {
-  const size_t checked = std::min(count, kChecked);
+Errors Accuracy::Measure(size_t count, size_t variant, size_t checked,
+                         const std::vector<Planes>& in, const Planes& out) {
+  checked = std::min(count, checked);
   const auto item_of = [&](size_t k) { return k * count / checked; };
-  const auto [entry, is_new] = exact_.try_emplace(count);
+  const auto [entry, is_new] = exact_.try_emplace({count, variant});
   std::vector<double>& exact = entry->second;
   for (size_t k = 0; is_new && k < checked; ++k) {
     const std::vector<double> values = Exact(reference_, item_of(k), in, out.planes());

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "bench/planes.h"
@@ -25,13 +26,14 @@ class Accuracy {
  public:
   explicit Accuracy(Reference reference) : reference_(std::move(reference)) {}
 
-  // Of some hundreds of items. The inputs of a count are the same in every run, so that the exact
-  // outputs are kept.
-  Errors Measure(size_t count, const std::vector<Planes>& in, const Planes& out);
+  // Of `checked` items at most, spread over all. The inputs of a count and a variant are the same in
+  // every run, so that the exact outputs are kept.
+  Errors Measure(size_t count, size_t variant, size_t checked, const std::vector<Planes>& in,
+                 const Planes& out);
 
  private:
   Reference reference_;
-  std::map<size_t, std::vector<double>> exact_;  // by count
+  std::map<std::pair<size_t, size_t>, std::vector<double>> exact_;  // by count and variant
 };
 
 }  // namespace gaunt::bench

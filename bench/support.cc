@@ -45,9 +45,37 @@ void Fill(const std::function<void(size_t, size_t, float*)>& make, size_t side, 
   });
 }
 
+bool IsBroadcast(const std::vector<size_t>& broadcast, size_t side) {
+  return std::count(broadcast.begin(), broadcast.end(), side) != 0;
+}
+
 // Null without a reference.
 std::shared_ptr<Accuracy> MakeAccuracy(const Reference& reference) {
   return reference ? std::make_shared<Accuracy>(reference) : nullptr;
+}
+
+// Errors over some hundreds of items; where sides are one item for all, over several such items, so
+// that they are of the same inputs as where each item has its own.
+template <class Call>
+Errors MeasureErrors(Accuracy& accuracy, size_t count, const std::vector<size_t>& broadcast,
+                     const std::function<void(size_t, size_t, float*)>& make,
+                     std::vector<Planes>& in, const Planes& out, const Call& call) {
+  constexpr size_t kChecked = 256, kVariants = 32;
+  if (broadcast.empty()) return accuracy.Measure(count, 0, kChecked, in, out);
+  Errors all;
+  double squared = 0.0;
+  for (size_t variant = 0; variant < kVariants; ++variant) {
+    for (const size_t side : broadcast) {
+      in[side].Fill([&](size_t, float* item) { make(variant, side, item); });
+    }
+    call();
+    const Errors errors = accuracy.Measure(count, variant, kChecked / kVariants, in, out);
+    all.largest = std::max(all.largest, errors.largest);
+    all.rounding = std::max(all.rounding, errors.rounding);
+    squared += errors.rms * errors.rms;
+  }
+  all.rms = std::sqrt(squared / kVariants);
+  return all;
 }
 
 void SetErrors(benchmark::State& state, const Errors& errors) {
@@ -63,9 +91,7 @@ void RunBatch(benchmark::State& state, const BatchBenchmark& batch, Layout layou
     return state.SkipWithError("target does not run here");
   }
   std::vector<Planes> in, out;
-  const auto is_broadcast = [&](size_t side) {
-    return std::count(batch.broadcast.begin(), batch.broadcast.end(), side) != 0;
-  };
+  const auto is_broadcast = [&](size_t side) { return IsBroadcast(batch.broadcast, side); };
   for (size_t side = 0; side < batch.inputs.size(); ++side) {
     in.emplace_back(is_broadcast(side) ? Layout::kBroadcast : layout, count, batch.inputs[side]);
   }
@@ -84,7 +110,8 @@ void RunBatch(benchmark::State& state, const BatchBenchmark& batch, Layout layou
   if (batch.call(count, in_views, out_views) != GAUNT_OK) {
     return state.SkipWithError("the call failed");
   }
-  const double time = Time(state, [&] { batch.call(count, in_views, out_views); });
+  const auto call = [&] { batch.call(count, in_views, out_views); };
+  const double time = Time(state, call);
   const double per_item = time / static_cast<double>(count);
   const size_t working_set = (read + written) * count;
   if (batch.reads_output) read += written;
@@ -99,7 +126,10 @@ void RunBatch(benchmark::State& state, const BatchBenchmark& batch, Layout layou
   state.counters["ns_multiply"] = MeasureArithmetic().fma;
   state.counters["limit_ns"] = limit;
   state.counters["x_limit"] = per_item / limit;
-  if (accuracy != nullptr) SetErrors(state, accuracy->Measure(count, in, out[0]));
+  if (accuracy != nullptr) {
+    SetErrors(state,
+              MeasureErrors(*accuracy, count, batch.broadcast, batch.make, in, out[0], call));
+  }
   gaunt_target_select(nullptr);
 }
 
@@ -108,16 +138,20 @@ void RunScalar(benchmark::State& state, const ScalarBenchmark& scalar, size_t co
   std::vector<Planes> in;
   std::vector<const float*> pointers;
   for (size_t side = 0; side < scalar.inputs.size(); ++side) {
-    in.emplace_back(Layout::kInterleaved, count, scalar.inputs[side]);
+    in.emplace_back(IsBroadcast(scalar.broadcast, side) ? Layout::kBroadcast : Layout::kInterleaved,
+                    count, scalar.inputs[side]);
     Fill(scalar.make, side, in[side]);
   }
   for (const Planes& side : in) pointers.push_back(side.view()->data);
   const Planes out(Layout::kInterleaved, count, scalar.output);
-  const double time = Time(state, [&] { scalar.call(count, pointers, out.view()->data); });
+  const auto call = [&] { scalar.call(count, pointers, out.view()->data); };
+  const double time = Time(state, call);
   state.SetLabel(scalar.label);
   state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * count));
   state.counters["ns_item"] = time / static_cast<double>(count);
-  if (accuracy != nullptr) SetErrors(state, accuracy->Measure(count, in, out));
+  if (accuracy != nullptr) {
+    SetErrors(state, MeasureErrors(*accuracy, count, scalar.broadcast, scalar.make, in, out, call));
+  }
 }
 
 }  // namespace

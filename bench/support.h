@@ -50,6 +50,7 @@ struct ScalarBenchmark {
   std::string baseline;        // "scalar"
   std::vector<size_t> inputs;  // planes
   size_t output = 0;
+  std::vector<size_t> broadcast;  // inputs that are one item for all
   std::function<void(size_t count, const std::vector<const float*>& in, float* out)> call;
   // As those of BatchBenchmark.
   std::function<void(size_t item, size_t side, float* planes)> make;
