@@ -152,6 +152,19 @@ void* CallOnSmallStack(void*) {
     }
     EXPECT_EQ(gaunt_zonal_convolve(order, kChannels, kCount, &zonal, &turned, &turned), GAUNT_OK);
   }
+  static float rotated[600 * kChannels * 16 * 16], rotations[600 * 9];
+  for (size_t i = 0; i < 600 * 9; ++i) rotations[i] = static_cast<float>(i % 7) - 3.0f;
+  const gaunt_view first = {rotations, 0, 4, 0, 0};
+  for (const uint32_t order : {3u, 6u, 8u, 9u, 16u}) {
+    const gaunt_view in_place = view(rotated, kChannels * order * order);
+    const gaunt_view q = view(rotations, 4), m = view(rotations, 9);
+    for (const bool for_all : {false, true}) {
+      EXPECT_EQ(gaunt_rotate(order, kChannels, 600, for_all ? &first : &q, &in_place, &in_place),
+                GAUNT_OK);
+      EXPECT_EQ(gaunt_rotate_matrix(order, kChannels, 600, for_all ? &first : &m, &in_place, &in_place),
+                GAUNT_OK);
+    }
+  }
   const gaunt_view values = view(out[1], kChannels);
   EXPECT_EQ(gaunt_project_samples(n, kChannels, kCount, &vd, &values, &weights, &all), GAUNT_OK);
   const gaunt_image image = {f, 32, 32, 16, 512, GAUNT_TEXEL_F32};

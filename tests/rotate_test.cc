@@ -48,6 +48,13 @@ void MakeRotation(Random& random, By by, float* out) {
   for (int k = 0; k < 9; ++k) out[k] = static_cast<float>(mirror * matrix[k]);
 }
 
+// Some at the corners of [-1, 1], where errors are largest.
+void MakeCoefficients(Random& random, size_t planes, float* out) {
+  random.Fill(out, planes, -1.0, 1.0);
+  if (random.Uniform() > 0.3) return;
+  for (size_t p = 0; p < planes; ++p) out[p] = out[p] < 0.0f ? -1.0f : 1.0f;
+}
+
 void Reference(By by, uint32_t n, uint32_t channels, const double* rotation, const double* in,
                double* out) {
   double matrix[9];
@@ -69,7 +76,7 @@ Operation RotateOperation(uint32_t n, uint32_t channels, By by) {
     return RotateFunction(by)(n, channels, count, in[0], in[1], out[0]);
   };
   operation.make = [=](Random& random, size_t side, float* out) {
-    if (side == 1) return random.Fill(out, planes, -1.0, 1.0);
+    if (side == 1) return MakeCoefficients(random, planes, out);
     MakeRotation(random, by, out);
   };
   operation.reference = [=](const Operation::Item& in, Operation::Item& out) {
@@ -98,7 +105,7 @@ Operation RotateOneOperation(uint32_t n, uint32_t channels, By by) {
     return RotateFunction(by)(n, channels, count, &one, in[0], out[0]);
   };
   operation.make = [planes = operation.inputs[0]](Random& values, size_t, float* out) {
-    values.Fill(out, planes, -1.0, 1.0);
+    MakeCoefficients(values, planes, out);
   };
   // The matrix of the rotation, column by column.
   const size_t coefficients = n * n;
@@ -122,7 +129,7 @@ Operation RotateOneOperation(uint32_t n, uint32_t channels, By by) {
   operation.tolerance = [tolerance](const Operation::Item&, const Operation::Item&, size_t,
                                     size_t) { return tolerance; };
   operation.in_place = {0};
-  operation.extra_items = 256;  // from there up, one rotation has a plan
+  operation.extra_items = LeastPlannedItems(n);
   return operation;
 }
 

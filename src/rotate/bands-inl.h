@@ -52,53 +52,48 @@ GAUNT_LANES void PutAngle(const K& k, size_t plane, V c, V s, const Out& angles)
   angles(plane + 1, MulAdd(s, lacking, s));
 }
 
+// gamma from e^(i (alpha + gamma)) where `sum`, else from e^(i (alpha - gamma)), and from alpha's c and
+// s.
+template <class K, class M, class V, class Out>
+GAUNT_LANES void PutFirstAngle(const K& k, M sum, V re, V im, V c, V s, const Out& angles) {
+  const V sine = MulSub(im, c, Mul(re, s));
+  PutAngle(k, kFirstCosine, MulAdd(re, c, Mul(im, s)), IfThenElse(sum, sine, Neg(sine)), angles);
+}
+
 // The angles of a quaternion of any length.
 struct AnglesFromQuaternion {
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& quaternion, const Out& angles) const {
     using V = typename K::V;
     V x = quaternion(0), y = quaternion(1), z = quaternion(2), w = quaternion(3);
-    Scale(k, x, y, z, w);
+    ScaleQuaternion(k, x, y, z, w);
     // Of the half angles: w + i z = cos(beta/2) e^(i (alpha + gamma)/2), and x + i y = sin(beta/2)
     // e^(i (alpha - gamma)/2). Their squared lengths a and b add up to that of the quaternion, and
     // to something between 1 and 16.
     const V a = MulAdd(w, w, Mul(z, z)), b = MulAdd(x, x, Mul(y, y));
     const V product = Mul(a, b);
     const V root = Sqrt(product);
-    // Where one of the two is all but zero, it has no angle: the other one's angle is all there is,
-    // and the middle one is 0 or pi.
+    // Where one of the two is all but zero, it has no angle: alpha is 0 then, beta 0 or pi.
     const auto pole = Lt(product, k(kPoleProduct));
-    const auto upper = Gt(a, b);
-    const V larger = Max(a, b);
-    const V re = IfThenElse(upper, w, x), im = IfThenElse(upper, z, y);
-    const V last_c = IfThenElse(pole, MulSub(re, re, Mul(im, im)), MulSub(w, x, Mul(z, y)));
-    const V last_s = IfThenElse(pole, Mul(Add(re, re), im), MulAdd(w, y, Mul(z, x)));
-    const V first_c = IfThenElse(pole, larger, MulAdd(w, x, Mul(z, y)));
-    const V first_s = IfThenZeroElse(pole, MulSub(z, x, Mul(w, y)));
-    const V middle_s = IfThenZeroElse(pole, Add(root, root));
-    const V scale = Div(k(1.0), IfThenElse(pole, larger, root));
+    const V scale = Div(k(1.0), root);
+    const V c = IfThenElse(pole, k(1.0), Mul(MulSub(w, x, Mul(z, y)), scale));
+    const V s = IfThenZeroElse(pole, Mul(MulAdd(w, y, Mul(z, x)), scale));
+    PutAngle(k, kLastCosine, c, s, angles);
     const V inverse = Div(k(1.0), Add(a, b));
-    PutAngle(k, kFirstCosine, Mul(first_c, scale), Mul(first_s, scale), angles);
-    PutAngle(k, kMiddleCosine, Mul(Sub(a, b), inverse), Mul(middle_s, inverse), angles);
-    PutAngle(k, kLastCosine, Mul(last_c, scale), Mul(last_s, scale), angles);
+    const V sine = IfThenZeroElse(pole, Add(root, root));
+    PutAngle(k, kMiddleCosine, Mul(Sub(a, b), inverse), Mul(sine, inverse), angles);
+    // alpha + gamma or alpha - gamma, whichever belongs to the longer one: near a pole it holds where
+    // alpha and gamma by themselves do not.
+    const auto upper = Gt(a, b);
+    const V re = IfThenElse(upper, w, x), im = IfThenElse(upper, z, y);
+    const V square = Div(k(1.0), Max(a, b));
+    PutFirstAngle(k, upper, Mul(MulSub(re, re, Mul(im, im)), square),
+                  Mul(Mul(Add(re, re), im), square), c, s, angles);
   }
 
  private:
-  // Below it, sin(beta) is 4e-12 or less.
+  // Below it, sin(beta) is 2e-12 or less.
   static constexpr double kPoleProduct = 1e-24;
-
-  // To a largest component in [1, 2), by a power of two, which rounds nothing; zero to the identity.
-  template <class K, class V>
-  static GAUNT_LANES void Scale(const K& k, V& x, V& y, V& z, V& w) {
-    const V largest = Max(Max(Abs(x), Abs(y)), Max(Abs(z), Abs(w)));
-    // The exponent bits alone.
-    const V power = And(largest, k(std::numeric_limits<double>::infinity()));
-    const auto zero = Lt(power, k(kSmallest));
-    const V scale = IfThenZeroElse(zero, Div(k(1.0), power));
-    x = Mul(scale, x), y = Mul(scale, y), z = Mul(scale, z);
-    w = IfThenElse(zero, k(1.0), Mul(scale, w));
-  }
-  static constexpr double kSmallest = std::numeric_limits<float>::min();
 };
 
 // The angles of an orthonormal matrix R, after a mirror of y where its determinant is negative.
@@ -119,8 +114,8 @@ struct AnglesFromMatrix {
     const auto pole = Lt(squared, k(kPoleSquared));
     const V sine = Sqrt(squared);
     const V scale = Div(one, sine);
-    V c = IfThenElse(pole, one, Mul(Neg(r(5)), scale));
-    V s = IfThenZeroElse(pole, Mul(r(2), scale));
+    const V c = IfThenElse(pole, one, Mul(Neg(r(5)), scale));
+    const V s = IfThenZeroElse(pole, Mul(r(2), scale));
     PutAngle(k, kMiddleCosine, cosine, sine, angles);
     PutAngle(k, kLastCosine, c, s, angles);
     // (1 + |cos(beta)|) e^(i (alpha +- gamma)), the sum where the cosine is positive. It holds where
@@ -129,9 +124,7 @@ struct AnglesFromMatrix {
     const V half = Div(one, Add(one, Abs(cosine)));
     const V re = Mul(half, Add(r(0), IfThenElse(upper, yy, Neg(yy))));
     const V im = Mul(half, Add(r(3), IfThenElse(upper, Neg(xy), xy)));
-    const V first_s = MulSub(im, c, Mul(re, s));
-    PutAngle(k, kFirstCosine, MulAdd(re, c, Mul(im, s)), IfThenElse(upper, first_s, Neg(first_s)),
-             angles);
+    PutFirstAngle(k, upper, re, im, c, s, angles);
   }
 
  private:
@@ -216,12 +209,12 @@ struct RotateBand {
   template <class K, class Slots, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const Slots& turns, const In& in, const Out& out) const {
     if constexpr (l == 0) return out(0, in(0));
-    typename K::template Slots<2 * l + 1> turned, swapped, back, middle;
+    typename K::template Slots<2 * l + 1> turned, swapped;
     TurnAll<kFirstTurn, kFirstTurnOfSines>(turns, in, turned, Pairs());
     SwapAll(k, turned, swapped, Rows());
-    TurnAll<kMiddleTurn, kMiddleTurn>(turns, swapped, middle, Pairs());
-    SwapAll(k, middle, back, Rows());
-    TurnAll<kLastTurn, kLastTurn>(turns, back, out, Pairs());
+    TurnAll<kMiddleTurn, kMiddleTurn>(turns, swapped, turned, Pairs());
+    SwapAll(k, turned, swapped, Rows());
+    TurnAll<kLastTurn, kLastTurn>(turns, swapped, out, Pairs());
   }
 
  private:

@@ -7,6 +7,9 @@
 #define GAUNT_ROTATE_MATRIX_INL_H_
 #endif
 
+#include <limits>
+
+#include "rotate/rotate.h"
 #include "simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,17 +17,28 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// Squared length below which a quaternion counts as zero, and so as the identity.
-inline constexpr double kZeroSquaredLength = 1e-36;
+// A quaternion of any length, x y z w, times the power of two that brings its largest component into
+// [1, 2), which rounds nothing. If no component is a normal number, it is the identity.
+template <class K, class V>
+GAUNT_LANES void ScaleQuaternion(const K& k, V& x, V& y, V& z, V& w) {
+  const V largest = Max(Max(Abs(x), Abs(y)), Max(Abs(z), Abs(w)));
+  // The exponent bits alone.
+  const V power = And(largest, k(std::numeric_limits<double>::infinity()));
+  const auto zero = Lt(power, k(kSmallestComponent));
+  const V scale = IfThenZeroElse(zero, Div(k(1.0), power));
+  x = Mul(scale, x), y = Mul(scale, y), z = Mul(scale, z);
+  w = IfThenElse(zero, k(1.0), Mul(scale, w));
+}
 
 // The matrix of a quaternion of any length.
 struct MatrixFromQuaternion {
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& q, Out&& matrix) const {
     using V = typename K::V;
-    const V x = q(0), y = q(1), z = q(2), w = q(3);
+    V x = q(0), y = q(1), z = q(2), w = q(3);
+    ScaleQuaternion(k, x, y, z, w);
     const V squared = MulAdd(x, x, MulAdd(y, y, MulAdd(z, z, Mul(w, w))));
-    const V scale = IfThenZeroElse(Lt(squared, k(kZeroSquaredLength)), Div(k(2.0), squared));
+    const V scale = Div(k(2.0), squared);
     const V sx = Mul(scale, x), sy = Mul(scale, y), sz = Mul(scale, z);
     const V xx = Mul(sx, x), zz = Mul(sz, z);
     const V wx = Mul(sx, w), wy = Mul(sy, w), wz = Mul(sz, w);

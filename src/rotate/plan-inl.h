@@ -147,6 +147,31 @@ class ApplyPlan {
   size_t channels_;
 };
 
+// Moves of all bands of each channel.
+struct ApplyMoves {
+  int order;
+  size_t channels;
+  Moves moves;
+
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
+    for (size_t c = 0; c < channels; ++c) {
+      for (int l = 0; l < order; ++l) {
+        const size_t middle = c * static_cast<size_t>(NumCoefficients(order)) +
+                              static_cast<size_t>(CoefficientIndex(l, 0));
+        const float band = l % 2 == 0 ? 1.0f : moves.odd_band;
+        out(middle, Mul(k(band), in(middle)));
+        for (size_t m = 1; m <= static_cast<size_t>(l); ++m) {
+          const auto cosine = in(middle + m), sine = in(middle - m);
+          const auto to_cosine = k(band * moves.to_cosine[m]), to_sine = k(band * moves.to_sine[m]);
+          out(middle + m, Mul(to_cosine, moves.swaps[m] ? sine : cosine));
+          out(middle - m, Mul(to_sine, moves.swaps[m] ? cosine : sine));
+        }
+      }
+    }
+  }
+};
+
 }  // namespace gaunt::rotate::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

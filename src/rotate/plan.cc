@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rotate/plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "basis/constants.h"
@@ -29,7 +30,6 @@ EulerAngles AnglesOf(const double q[4]) {
   // gamma)/2).
   const Complex u = {q[3], q[2]}, v = {q[1], -q[0]};
   const double a = SquaredLength(u), b = SquaredLength(v), length = std::sqrt(a + b);
-  if (length == 0.0) return {{1.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}};
   // Where one of the two is all but zero, the other's angle is all there is.
   constexpr double kPole = 1e-40;
   if (b < kPole * a) return {u * u / a, {1.0, 0.0}, {1.0, 0.0}};
@@ -172,33 +172,23 @@ void PlanMatrices(int order, const Complex& half_beta, const Factors& first, con
   }
 }
 
-void MakePlan(int order, const double quaternion[4], bool mirror_y, Plan& plan) {
-  const EulerAngles angles = AnglesOf(quaternion);
-  // A mirror of y reverses the turns that it is moved over, and negates the sines.
-  Factors first = PlanTurn(order, mirror_y ? Conjugate(angles.gamma) : angles.gamma, Place::kBefore,
-                           plan.first);
-  if (mirror_y) {
-    for (int m = 1; m < order; ++m) first.of_sine[m] = -first.of_sine[m];
-  }
-  const Factors last = PlanTurn(order, angles.alpha, Place::kAfter, plan.last);
-  PlanMatrices(order, angles.half_beta, first, last, plan.matrices);
-}
-
 }  // namespace
 
-void PlanQuaternion(int order, const float quaternion[4], Plan& plan) {
-  const double q[4] = {quaternion[0], quaternion[1], quaternion[2], quaternion[3]};
-  MakePlan(order, q, false, plan);
+Rotation Rotation::OfQuaternion(const float quaternion[4]) {
+  Rotation rotation = {{quaternion[0], quaternion[1], quaternion[2], quaternion[3]}, false};
+  const auto is_normal = [](float x) { return std::abs(x) >= kSmallestComponent; };
+  if (std::none_of(quaternion, quaternion + 4, is_normal)) rotation = {{0.0, 0.0, 0.0, 1.0}, false};
+  return rotation;
 }
 
-void PlanMatrix(int order, const float matrix[9], Plan& plan) {
+Rotation Rotation::OfMatrix(const float matrix[9]) {
   double r[3][3];
   for (int i = 0; i < 9; ++i) r[i / 3][i % 3] = matrix[i];
   const double determinant = r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) +
                              r[0][1] * (r[1][2] * r[2][0] - r[1][0] * r[2][2]) +
                              r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
-  const bool mirror_y = determinant < 0.0;
-  if (mirror_y) {
+  Rotation rotation = {{}, determinant < 0.0};
+  if (rotation.mirror_y) {
     for (auto& row : r) row[1] = -row[1];
   }
   // Four times the products of a unit quaternion's components x y z w: each row is the quaternion
@@ -212,7 +202,42 @@ void PlanMatrix(int order, const float matrix[9], Plan& plan) {
   for (int i = 1; i < 4; ++i) {
     if (products[i][i] > products[largest][largest]) largest = i;
   }
-  MakePlan(order, products[largest], mirror_y, plan);
+  std::copy(products[largest], products[largest] + 4, rotation.quaternion);
+  return rotation;
+}
+
+Plan Rotation::MakePlan(int order) const {
+  const EulerAngles angles = AnglesOf(quaternion);
+  Plan plan;
+  // A mirror of y reverses the turns that it is moved over, and negates the sines.
+  Factors first = PlanTurn(order, mirror_y ? Conjugate(angles.gamma) : angles.gamma, Place::kBefore,
+                           plan.first);
+  if (mirror_y) {
+    for (int m = 1; m < order; ++m) first.of_sine[m] = -first.of_sine[m];
+  }
+  const Factors last = PlanTurn(order, angles.alpha, Place::kAfter, plan.last);
+  PlanMatrices(order, angles.half_beta, first, last, plan.matrices);
+  return plan;
+}
+
+bool Rotation::MakeMoves(Moves& moves) const {
+  const double* const q = quaternion;
+  // Most rotations tilt the z axis: they need no angles.
+  const bool upright = q[0] == 0.0 && q[1] == 0.0, upside_down = q[2] == 0.0 && q[3] == 0.0;
+  if (!upright && !upside_down) return false;
+  const Complex alpha = AnglesOf(q).alpha;  // and gamma is 0
+  if (alpha.re != 0.0 && alpha.im != 0.0) return false;
+  // Upside down, y stays as it is and x and z change their signs: those of sines are the other ones.
+  moves.odd_band = upside_down ? -1.0f : 1.0f;
+  const double sine = upside_down != mirror_y ? -1.0 : 1.0;
+  Complex power = {1.0, 0.0};
+  for (int m = 0; m < kMaxOrder; ++m) {
+    moves.swaps[m] = power.re == 0.0;
+    moves.to_cosine[m] = static_cast<float>(moves.swaps[m] ? -sine * power.im : power.re);
+    moves.to_sine[m] = static_cast<float>(moves.swaps[m] ? power.im : sine * power.re);
+    power = power * alpha;
+  }
+  return true;
 }
 
 }  // namespace gaunt::rotate

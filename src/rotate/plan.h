@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One rotation or mirroring, ready to be applied to many items with the fewest multiplications:
+// One rotation or mirroring for all items, ready to be applied with the fewest multiplications:
 //   Rz(alpha) Ry(beta) Rz(gamma), after a mirror of y if there is one.
 // Ry is a matrix d for the cosines and one for the sines of each band. Both turns about z need one
 // multiply-add per coefficient, since the larger of the turn's sine and cosine is taken out of it
@@ -20,8 +20,8 @@ constexpr int MatricesIndex(int l) { return l * (2 * l * l + 1) / 3; }
 // A turn about z by m times its angle takes the planes p and q, l + side m and l - side m, to
 // p - tangent q and q + tangent p, but for a factor.
 struct PlannedTurn {
-  int8_t side[kMaxOrder];  // -1 where the sine is the larger one, else 1
-  float tangent[kMaxOrder];
+  int8_t side[kMaxOrder] = {};  // -1 where the sine is the larger one, else 1
+  float tangent[kMaxOrder] = {};
 };
 
 struct Plan {
@@ -30,10 +30,28 @@ struct Plan {
   float matrices[MatricesIndex(kMaxOrder)];
 };
 
-// Of a quaternion x y z w of any length; of zero, the identity.
-void PlanQuaternion(int order, const float quaternion[4], Plan& plan);
-// Of an orthonormal row-major matrix.
-void PlanMatrix(int order, const float matrix[9], Plan& plan);
+// A rotation or mirroring that keeps the z axis on its line, at right angles: it only moves and
+// negates coefficients. Coefficient m > 0 becomes to_cosine times itself or, where the two swap, that
+// of -m; and -m likewise; all of an odd band are times odd_band as well.
+struct Moves {
+  bool swaps[kMaxOrder];
+  float to_cosine[kMaxOrder];
+  float to_sine[kMaxOrder];
+  float odd_band;
+};
+
+// A rotation by a quaternion, after a mirror of y if there is one.
+struct Rotation {
+  double quaternion[4];  // x y z w, of any length but 0
+  bool mirror_y;
+
+  static Rotation OfQuaternion(const float quaternion[4]);
+  static Rotation OfMatrix(const float matrix[9]);  // orthonormal, row-major
+
+  Plan MakePlan(int order) const;
+  // False if it does more than that.
+  bool MakeMoves(Moves& moves) const;
+};
 
 }  // namespace gaunt::rotate
 

@@ -51,29 +51,36 @@ std::array<float, kPlanes> FirstItem(const simd::InView& view) {
   return item;
 }
 
+// One rotation for many items is worth a plan, if it is one that copies more than one plane.
+// Measured: making it takes as long as it saves on some 100 to 400 items, most at low orders.
 template <int n>
-void PlanBatch(const Plan& plan, size_t channels, size_t count, const simd::InView& in,
-               const simd::OutView& out) {
+constexpr size_t LeastPlannedItems() {
+  return n == 1 ? std::numeric_limits<size_t>::max() : n <= kMaxTensorOrder ? 512 : 256;
+}
+
+// Each of the next four out of line: the stack holds the tiles of one of them at most.
+
+template <int n>
+HWY_NOINLINE void MoveBatch(const Moves& moves, size_t channels, size_t count,
+                            const simd::InView& in, const simd::OutView& out) {
+  ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
+    ForEachBatch(count, ApplyMoves{n, now, moves}, from, to);
+  });
+}
+
+template <int n>
+HWY_NOINLINE void PlanBatch(const Rotation& rotation, size_t channels, size_t count,
+                            const simd::InView& in, const simd::OutView& out) {
+  const Plan plan = rotation.MakePlan(n);
   ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
     ForEachBatch(count, ApplyPlan<kKernelOf<n>>(plan, n, now), from, to);
   });
 }
 
-// One rotation for many items is worth a plan. Measured: making it takes as long as it saves on some
-// 100 to 250 items, depending on the order.
-inline bool IsWorthPlan(size_t count, const simd::InView& rotations) {
-  constexpr size_t kLeastItems = 256;
-  return count >= kLeastItems && rotations.IsBroadcast();
-}
-
 template <int n>
-void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaternions,
-                     const simd::InView& in, const simd::OutView& out) {
-  if (IsWorthPlan(count, quaternions)) {
-    Plan plan;
-    PlanQuaternion(n, FirstItem<4>(quaternions).data(), plan);
-    return PlanBatch<n>(plan, channels, count, in, out);
-  }
+HWY_NOINLINE void EachQuaternionBatch(size_t channels, size_t count,
+                                      const simd::InView& quaternions, const simd::InView& in,
+                                      const simd::OutView& out) {
   ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
     if constexpr (n <= kMaxFusedOrder) {
       ForEachBatch(count, RotateTensorsByQuaternion<n>{now}, In<4>(quaternions), from, to);
@@ -88,13 +95,8 @@ void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaterni
 }
 
 template <int n>
-void MatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
-                 const simd::InView& in, const simd::OutView& out) {
-  if (IsWorthPlan(count, matrices)) {
-    Plan plan;
-    PlanMatrix(n, FirstItem<9>(matrices).data(), plan);
-    return PlanBatch<n>(plan, channels, count, in, out);
-  }
+HWY_NOINLINE void EachMatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
+                                  const simd::InView& in, const simd::OutView& out) {
   ForChannels<n>(channels, in, out, [&](size_t now, auto&& from, auto&& to) {
     if constexpr (n <= kMaxTensorOrder) {
       ForEachBatch(count, RotateTensorsByMatrix<n>{now}, In<9>(matrices), from, to);
@@ -103,6 +105,42 @@ void MatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
                                   RotateBands<kKernelOf<n>, true>(n, now), from, to);
     }
   });
+}
+
+// Whether the rotation is one for all and has been applied as such.
+template <int n>
+bool OneBatch(const Rotation& rotation, size_t channels, size_t count, const simd::InView& in,
+              const simd::OutView& out) {
+  Moves moves;
+  if (rotation.MakeMoves(moves)) {
+    MoveBatch<n>(moves, channels, count, in, out);
+  } else if (count >= LeastPlannedItems<n>()) {
+    PlanBatch<n>(rotation, channels, count, in, out);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+template <int n>
+void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaternions,
+                     const simd::InView& in, const simd::OutView& out) {
+  if (quaternions.IsBroadcast() &&
+      OneBatch<n>(Rotation::OfQuaternion(FirstItem<4>(quaternions).data()), channels, count, in,
+                  out)) {
+    return;
+  }
+  EachQuaternionBatch<n>(channels, count, quaternions, in, out);
+}
+
+template <int n>
+void MatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
+                 const simd::InView& in, const simd::OutView& out) {
+  if (matrices.IsBroadcast() &&
+      OneBatch<n>(Rotation::OfMatrix(FirstItem<9>(matrices).data()), channels, count, in, out)) {
+    return;
+  }
+  EachMatrixBatch<n>(channels, count, matrices, in, out);
 }
 
 float Deviations(size_t count, const simd::InView& matrices) {

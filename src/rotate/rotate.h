@@ -3,12 +3,17 @@
 #ifndef GAUNT_ROTATE_ROTATE_H_
 #define GAUNT_ROTATE_ROTATE_H_
 
+#include <limits>
+
 #include "simd/order.h"
 #include "simd/view.h"
 
 namespace gaunt::rotate {
 
 inline constexpr int kMaxOrder = 16;
+
+// A quaternion whose components are all smaller is the identity: the least normal float.
+inline constexpr double kSmallestComponent = std::numeric_limits<float>::min();
 
 using RotateFn = void (*)(size_t channels, size_t count, const simd::InView& rotations,
                           const simd::InView& in, const simd::OutView& out);

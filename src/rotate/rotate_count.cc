@@ -13,13 +13,26 @@ namespace {
 namespace kernels = HWY_NAMESPACE;
 constexpr CountPlanes kPlanes;
 
+// High orders go channel by channel, each with its angles.
+template <int n>
+uint64_t Times(size_t channels) {
+  return n <= kernels::kMaxInlinedOrder ? 1 : channels;
+}
+
+template <int n, bool kMirrors>
+Operations CountBands(size_t channels) {
+  const uint64_t times = Times<n>(channels);
+  return times * CountKernel(kernels::RotateBands<n, kMirrors>(n, channels / times), kPlanes,
+                             kPlanes, kPlanes);
+}
+
 template <int n>
 Operations ByQuaternion(size_t channels) {
   if constexpr (n <= kernels::kMaxTensorOrder) {
     return CountKernel(kernels::RotateTensorsByQuaternion<n>{channels}, kPlanes, kPlanes, kPlanes);
   } else {
-    return CountKernel(kernels::AnglesFromQuaternion(), kPlanes, kPlanes) +
-           CountKernel(kernels::RotateBands<n, false>(n, channels), kPlanes, kPlanes, kPlanes);
+    return Times<n>(channels) * CountKernel(kernels::AnglesFromQuaternion(), kPlanes, kPlanes) +
+           CountBands<n, false>(channels);
   }
 }
 
@@ -28,8 +41,8 @@ Operations ByMatrix(size_t channels) {
   if constexpr (n <= kernels::kMaxTensorOrder) {
     return CountKernel(kernels::RotateTensorsByMatrix<n>{channels}, kPlanes, kPlanes, kPlanes);
   } else {
-    return CountKernel(kernels::AnglesFromMatrix(), kPlanes, kPlanes) +
-           CountKernel(kernels::RotateBands<n, true>(n, channels), kPlanes, kPlanes, kPlanes);
+    return Times<n>(channels) * CountKernel(kernels::AnglesFromMatrix(), kPlanes, kPlanes) +
+           CountBands<n, true>(channels);
   }
 }
 
