@@ -3,6 +3,7 @@
 # record.sh GAUNT_BENCH FILE.json: runs the benchmarks whose results are kept, some 4 minutes, and
 # writes medians and coefficients of variation. Needs python3.
 set -euo pipefail
+[ $# -eq 2 ] || { sed -n '3s/^# //p' "$0" >&2; exit 2; }
 
 tiled='tiled/(1000|1024|1048576)'
 rows="basis/.*/(tiled|interleaved)/(1000|1024|1048576)/"
@@ -10,12 +11,12 @@ rows+="|evaluate/irradiance.*/(tiled|interleaved)/(1000|1024)/"
 rows+="|(rotate|zonal)/.*/($tiled|interleaved/1024)/|project/|frame/"
 methods='AVX2|AVX3|factored|engine|scalar|zxzxz|blocks|/A|/A2|A_clang_native|A2_clang_native'
 
-out=$(mktemp)
-trap 'rm -f "$out"' EXIT
+out=$(mktemp) kept=$(mktemp)
+trap 'rm -f "$out" "$kept"' EXIT
 "$1" --benchmark_filter="($rows).*($methods)\$|rotate/drift" --benchmark_min_time=0.01 \
   --benchmark_repetitions=11 --benchmark_enable_random_interleaving=true \
   --benchmark_report_aggregates_only=true --benchmark_out="$out" --benchmark_out_format=json >&2
-python3 - "$out" >"$2" <<'END'
+python3 - "$out" >"$kept" <<'END'
 import json, sys
 
 results = json.load(open(sys.argv[1]))
@@ -36,3 +37,4 @@ for row in results["benchmarks"]:
 kept.sort(key=lambda row: row["name"])
 print(json.dumps({"context": context, "benchmarks": kept}, indent=1))
 END
+cp "$kept" "$2"

@@ -2,16 +2,22 @@
 # SPDX-License-Identifier: MIT
 # table.sh RESULTS.json: prints the README's table of speeds from a file that gaunt_bench wrote.
 set -euo pipefail
+[ $# -eq 1 ] || { sed -n '3s/^# //p' "$0" >&2; exit 2; }
 
 awk -F'"' '
+  /"compiler"/ { compiler = $4 }
   /"run_name"/ { run = $4 }
   /"aggregate_name"/ { median = $4 == "median" }
   /"ns_item"/ && median { split($3, cell, "[:,]"); ns[run] = cell[2] }
   function row(text, name, scalar) {
+    if (!((name "/AVX3") in ns && (name "/AVX2") in ns && scalar in ns)) {
+      print "table.sh: no rows of " name " or " scalar >"/dev/stderr"
+      exit 1
+    }
     printf "| %s | %.2f | %.2f | %.1f |\n", text, ns[name "/AVX3"], ns[name "/AVX2"], ns[scalar]
   }
   END {
-    print "| ns per item or texel, g++ 12 | AVX-512 | AVX2 | scalar, as engines have it |"
+    print "| ns per item or texel, " compiler " | AVX-512 | AVX2 | scalar, as engines have it |"
     print "|---|---|---|---|"
     for (n = 3; n <= 6; n += 3) {
       engine = "basis/eval/n" n "/interleaved/1024/engine"

@@ -24,11 +24,11 @@
  * ALL FUNCTIONS
  *   return GAUNT_OK or a negative status, and write nothing when they fail. They allocate nothing,
  *   take less than 64 KiB of stack, keep no state but the chosen SIMD target, and may be called
- *   from any thread. Arguments are checked in constant time: null pointers, orders, layouts, ranges,
- *   overlap. With count 0 the views may be NULL. A NaN or an infinity makes the outputs of its own
- *   item unspecified, never a neighbour's, unless the entry says what it does with them. Nothing
- *   outside the described elements is read or written, and no alignment beyond that of float is
- *   needed.
+ *   from any thread. Arguments are checked in constant time: null pointers, orders, layouts,
+ *   ranges, overlap. With count 0 the views may be NULL. A NaN or an infinity makes the outputs of
+ *   its own item unspecified, never a neighbour's, unless the entry says what it does with them.
+ *   Nothing outside the described elements is read or written, and no alignment beyond that of
+ *   float is needed.
  *
  * OVERLAP
  *   An output may be the same view as an input only where the entry says "in place". Otherwise
@@ -526,28 +526,29 @@ GAUNT_API gaunt_status gaunt_project_sums(uint32_t n, uint32_t channels, const d
 /* ---- rotate ---------------------------------------------------------------------------------- */
 
 /**
- * Rotates SH functions by quaternions: out(s) = in(R^-1 s), so that a lobe at d moves to R d. In the
- * coefficients of band l that is an orthogonal matrix of 2l + 1 rows, which is never built: tensors
- * up to order 3, turns about z with constant swaps of axes between them above. No rotation is
- * singular.
+ * Rotates SH functions by quaternions: out(s) = in(R^-1 s), so that a lobe at d moves to R d. In
+ * the coefficients of band l that is an orthogonal matrix of 2l + 1 rows, which is never built:
+ * tensors up to order 3, turns about z with constant swaps of axes between them above. No rotation
+ * is singular.
  *
  * Of what turns again and again, keep the unrotated coefficients and the whole rotation, and rotate
- * once: after 1000 small rotations a matrix that was accumulated is off by 2e-6 of the norm at order
- * 6, a quaternion that was normalised by 5e-6, and coefficients rotated 1000 times by 8e-6 or, by
- * equal rotations, by more.
+ * once: after 1000 small rotations a matrix that was accumulated is off by 2e-6 of the norm at
+ * order 6, a quaternion that was normalised by 5e-6, and coefficients rotated 1000 times by 8e-6
+ * or, by equal rotations, by more.
  *
  * n            order, 1 .. GAUNT_MAX_ROTATE_ORDER
  * channels     1 .. GAUNT_MAX_CHANNELS
- * count        items; broadcast the quaternion to rotate all of them alike: from 256 items up (512 up
- *              to order 3) that has a plan of its own, which is faster, more accurate, and rounds
- *              differently
+ * count        items; broadcast the quaternion to rotate all of them alike: from 256 items up (512
+ *              up to order 3) that has a plan of its own, which is faster, more accurate, and
+ *              rounds differently
  * quaternions  4 planes x, y, z, w, of any length: they are normalised. If no component is a normal
  *              float, as in zero, it is the identity.
  * in, out      channels * n^2 planes
  *
- * Accuracy:  |error| <= 2.5e-6 up to order 6 and 4.5e-7 n above, for coefficients in [-1, 1]; with a
- *            plan 8e-7 and 2e-6. One quaternion for all items, or of the only one, that turns by right
- *            angles and keeps the z axis on its line is exact: coefficients move and change signs.
+ * Accuracy:  |error| <= 2.5e-6 up to order 6 and 4.5e-7 n above, for coefficients in [-1, 1]; with
+ *            a plan 8e-7 and 2e-6. One quaternion for all items, or of the only one, that turns by
+ *            right angles and keeps the z axis on its line is exact: coefficients move and change
+ *            signs.
  * Overlap:   in place on `in`.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -563,22 +564,22 @@ GAUNT_API gaunt_status gaunt_rotate(uint32_t n, uint32_t channels, size_t count,
  *           -1 mirrors: out(s) = in(R^-1 s) as it stands.
  *
  * Accuracy:  of matrices that are rotations rounded to float, and such rotations mirrored, as
- *            gaunt_rotate(); with a plan as without, since the matrix is rounded. One matrix for all
- *            items, or of the only one, that mirrors axes, swaps x and y, or both, is exact; one that
- *            swaps z with another axis has no angle that could be off.
+ *            gaunt_rotate(); with a plan as without, since the matrix is rounded. One matrix for
+ *            all items, or of the only one, that mirrors axes, swaps x and y, or both, is exact;
+ *            one that swaps z with another axis has no angle that could be off.
  */
 GAUNT_API gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t count,
                                            const gaunt_view* matrices, const gaunt_view* in,
                                            const gaunt_view* out);
 
 /**
- * How far matrices are from orthonormal: the largest entry of |R^T R - 1| of any of them. Mirrors are
- * orthonormal too: the sign of the determinant is not looked at.
+ * How far matrices are from orthonormal: the largest entry of |R^T R - 1| of any of them. Mirrors
+ * are orthonormal too: the sign of the determinant is not looked at.
  *
  * count     matrices
  * matrices  9 planes, row-major
- * worst     receives the deviation, within 4e-7 (1 + itself); infinity if an entry is not finite or its
- *           square is not; 0 for no matrices
+ * worst     receives the deviation, within 4e-7 (1 + itself); infinity if an entry is not finite or
+ *           its square is not; 0 for no matrices
  *
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE.
  */

@@ -24,10 +24,10 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// R = Rz(alpha) Rx(beta) Rz(gamma). The table's swap S takes z to -x with the Condon-Shortley phase,
-// and is a reflection, so Rx(beta) = S Rz(beta) S: turns about z by gamma, beta and alpha, in this
-// order, and S between them. Before them all, a mirror of y may negate the sines: the first turn has
-// factors of its own for them.
+// R = Rz(alpha) Rx(beta) Rz(gamma). The table's swap S takes z to -x with the Condon-Shortley
+// phase, and is a reflection, so Rx(beta) = S Rz(beta) S: turns about z by gamma, beta and alpha,
+// in this order, and S between them. Before them all, a mirror of y may negate the sines: the first
+// turn has factors of its own for them.
 enum Turn { kFirstTurn, kFirstTurnOfSines, kMiddleTurn, kLastTurn, kTurns };
 
 // Planes of cos and sin of the three angles, and of the sign that sines have beforehand.
@@ -43,8 +43,8 @@ enum AnglePlane {
 };
 
 // Planes of cos and sin of one angle, to length 1 once more by a step of Newton's: an error of the
-// length would grow with each power. What it adds is rounded for itself: a factor near 1 would round
-// down more than up, and shrink what is rotated again and again.
+// length would grow with each power. What it adds is rounded for itself: a factor near 1 would
+// round down more than up, and shrink what is rotated again and again.
 template <class K, class V, class Out>
 GAUNT_LANES void PutAngle(const K& k, size_t plane, V c, V s, const Out& angles) {
   const V lacking = Mul(k(0.5), NegMulAdd(s, s, NegMulAdd(c, c, k(1.0))));
@@ -52,8 +52,8 @@ GAUNT_LANES void PutAngle(const K& k, size_t plane, V c, V s, const Out& angles)
   angles(plane + 1, MulAdd(s, lacking, s));
 }
 
-// gamma from e^(i (alpha + gamma)) where `sum`, else from e^(i (alpha - gamma)), and from alpha's c and
-// s.
+// gamma from e^(i (alpha + gamma)) where `sum`, else from e^(i (alpha - gamma)), and from alpha's c
+// and s.
 template <class K, class M, class V, class Out>
 GAUNT_LANES void PutFirstAngle(const K& k, M sum, V re, V im, V c, V s, const Out& angles) {
   const V sine = MulSub(im, c, Mul(re, s));
@@ -82,8 +82,8 @@ struct AnglesFromQuaternion {
     const V inverse = Div(k(1.0), Add(a, b));
     const V sine = IfThenZeroElse(pole, Add(root, root));
     PutAngle(k, kMiddleCosine, Mul(Sub(a, b), inverse), Mul(sine, inverse), angles);
-    // alpha + gamma or alpha - gamma, whichever belongs to the longer one: near a pole it holds where
-    // alpha and gamma by themselves do not.
+    // alpha + gamma or alpha - gamma, whichever belongs to the longer one: near a pole it holds
+    // where alpha and gamma by themselves do not.
     const auto upper = Gt(a, b);
     const V re = IfThenElse(upper, w, x), im = IfThenElse(upper, z, y);
     const V square = Div(k(1.0), Max(a, b));
@@ -118,8 +118,8 @@ struct AnglesFromMatrix {
     const V s = IfThenZeroElse(pole, Mul(r(2), scale));
     PutAngle(k, kMiddleCosine, cosine, sine, angles);
     PutAngle(k, kLastCosine, c, s, angles);
-    // (1 + |cos(beta)|) e^(i (alpha +- gamma)), the sum where the cosine is positive. It holds where
-    // alpha and gamma by themselves do not.
+    // (1 + |cos(beta)|) e^(i (alpha +- gamma)), the sum where the cosine is positive. It holds
+    // where alpha and gamma by themselves do not.
     const auto upper = Gt(cosine, zero);
     const V half = Div(one, Add(one, Abs(cosine)));
     const V re = Mul(half, Add(r(0), IfThenElse(upper, yy, Neg(yy))));
@@ -153,8 +153,8 @@ GAUNT_LANES void SetPower(int turn, int m, Slots& turns) {
   }
 }
 
-// All slots for m < order, at least 2, from the angles; n is the order or kAnyOrder. Without kMirrors
-// the plane of the sign is not read.
+// All slots for m < order, at least 2, from the angles; n is the order or kAnyOrder. Without
+// kMirrors the plane of the sign is not read.
 template <int n, bool kMirrors>
 struct SetTurns {
   int order;

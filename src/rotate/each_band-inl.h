@@ -19,8 +19,8 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// Orders that have a kernel of their own, with all bands inlined. Those above share one, where bands
-// are functions.
+// Orders that have a kernel of their own, with all bands inlined. Those above share one, where
+// bands are functions.
 inline constexpr int kMaxInlinedOrder = 8;
 inline constexpr int kAnyOrder = 0;
 

@@ -17,8 +17,8 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// A quaternion of any length, x y z w, times the power of two that brings its largest component into
-// [1, 2), which rounds nothing. If no component is a normal number, it is the identity.
+// A quaternion of any length, x y z w, times the power of two that brings its largest component
+// into [1, 2), which rounds nothing. If no component is a normal number, it is the identity.
 template <class K, class V>
 GAUNT_LANES void ScaleQuaternion(const K& k, V& x, V& y, V& z, V& w) {
   const V largest = Max(Max(Abs(x), Abs(y)), Max(Abs(z), Abs(w)));

@@ -93,8 +93,8 @@ struct Constants {
 };
 constexpr Constants kConstants;
 
-// Wigner's d^l_m'm(beta) = norm[l][m'] norm[l][m] D^l for m' >= m >= 0, and that of -m, from l = m' up
-// by
+// Wigner's d^l_m'm(beta) = norm[l][m'] norm[l][m] D^l for m' >= m >= 0, and that of -m, from l = m'
+// up by
 //   l D^(l+1) = (2l+1)(l(l+1) cos(beta) - m m') D^l - (l+1)(l^2 - m^2)(l^2 - m'^2) D^(l-1)
 // from D^m' = (2m')! cos(beta/2)^(m'+m) (-sin(beta/2))^(m'-m). (Varshalovich, Moskalev and
 // Khersonskii 1988, sections 4.8 and 4.13, with the square roots taken out.)
@@ -227,7 +227,8 @@ bool Rotation::MakeMoves(Moves& moves) const {
   if (!upright && !upside_down) return false;
   const Complex alpha = AnglesOf(q).alpha;  // and gamma is 0
   if (alpha.re != 0.0 && alpha.im != 0.0) return false;
-  // Upside down, y stays as it is and x and z change their signs: those of sines are the other ones.
+  // Upside down, y stays as it is and x and z change their signs: those of sines are the other
+  // ones.
   moves.odd_band = upside_down ? -1.0f : 1.0f;
   const double sine = upside_down != mirror_y ? -1.0 : 1.0;
   Complex power = {1.0, 0.0};

@@ -31,8 +31,8 @@ struct Plan {
 };
 
 // A rotation or mirroring that keeps the z axis on its line, at right angles: it only moves and
-// negates coefficients. Coefficient m > 0 becomes to_cosine times itself or, where the two swap, that
-// of -m; and -m likewise; all of an odd band are times odd_band as well.
+// negates coefficients. Coefficient m > 0 becomes to_cosine times itself or, where the two swap,
+// that of -m; and -m likewise; all of an odd band are times odd_band as well.
 struct Moves {
   bool swaps[kMaxOrder];
   float to_cosine[kMaxOrder];

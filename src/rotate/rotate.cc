@@ -22,8 +22,8 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 template <int n>
 inline constexpr int kKernelOf = n <= kMaxInlinedOrder ? n : kAnyOrder;
 
-// run(channels, in, out) for all channels at once, or for each of them where all of their planes are
-// more than the stack should hold.
+// run(channels, in, out) for all channels at once, or for each of them where all of their planes
+// are more than the stack should hold.
 template <int n, class Run>
 void ForChannels(size_t channels, const simd::InView& in, const simd::OutView& out,
                  const Run& run) {

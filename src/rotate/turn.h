@@ -86,8 +86,8 @@ struct FloatTurnTable {
     return power * 0x1p-23f;
   }
 
-  // Moves the entry, and its twin across the diagonal, that brings the growth closest to 0, to a float
-  // beside it that is within one ulp of the exact value. False if none brings it closer.
+  // Moves the entry, and its twin across the diagonal, that brings the growth closest to 0, to a
+  // float beside it that is within one ulp of the exact value. False if none brings it closer.
   constexpr bool Improve(int l, double& growth) {
     Move best = {};
     double least = Abs(growth);
