@@ -4,7 +4,7 @@
 # SIMD target of this machine. Times are for two cores.
 #   (none)       release build with g++, tests, examples, benchmarks run once: 3 minutes
 #   --clang      the same with clang++: 2 minutes more
-#   --sanitize   tests of AVX2 under address and undefined-behaviour sanitizers: 20 minutes more
+#   --sanitize   tests of AVX2 under address and undefined-behaviour sanitizers: 6 minutes more
 #   --arm        tests on NEON, SVE and SVE2 under qemu-user: 12 minutes more
 #   --all        all of these
 # Closes with the numbers of tests passed and failed.

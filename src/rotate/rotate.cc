@@ -58,7 +58,7 @@ constexpr size_t LeastPlannedItems() {
   return n == 1 ? std::numeric_limits<size_t>::max() : n <= kMaxTensorOrder ? 512 : 256;
 }
 
-// Each of the next four out of line: the stack holds the tiles of one of them at most.
+// Those that follow are out of line: the stack holds the tiles of one of them at most.
 
 template <int n>
 HWY_NOINLINE void MoveBatch(const Moves& moves, size_t channels, size_t count,
@@ -77,6 +77,20 @@ HWY_NOINLINE void PlanBatch(const Rotation& rotation, size_t channels, size_t co
   });
 }
 
+// first(rotation, middle), then second(middle, from, to); of one rotation for all the first once.
+template <size_t kRotation, size_t kMiddle, class First, class Second, class From, class To>
+void StagedBatch(size_t count, const First& first, const simd::InView& rotations,
+                 const Second& second, From& from, To& to) {
+  if (rotations.IsBroadcast()) {
+    float middle[kMiddle] = {};
+    ForEachBatch(1, first, In<kRotation>(rotations),
+                 Out<kMiddle>(simd::InterleavedOut(middle, kMiddle)));
+    ForEachBatch(count, second, In<kMiddle>(simd::BroadcastIn(middle)), from, to);
+  } else {
+    ForEachStaged<kMiddle>(count, first, In<kRotation>(rotations), second, from, to);
+  }
+}
+
 template <int n>
 HWY_NOINLINE void EachQuaternionBatch(size_t channels, size_t count,
                                       const simd::InView& quaternions, const simd::InView& in,
@@ -85,11 +99,11 @@ HWY_NOINLINE void EachQuaternionBatch(size_t channels, size_t count,
     if constexpr (n <= kMaxFusedOrder) {
       ForEachBatch(count, RotateTensorsByQuaternion<n>{now}, In<4>(quaternions), from, to);
     } else if constexpr (n <= kMaxTensorOrder) {
-      ForEachStaged<9>(count, MatrixFromQuaternion(), In<4>(quaternions),
-                       RotateTensorsByMatrix<n>{now}, from, to);
+      StagedBatch<4, 9>(count, MatrixFromQuaternion(), quaternions, RotateTensorsByMatrix<n>{now},
+                        from, to);
     } else {
-      ForEachStaged<kAnglePlanes>(count, AnglesFromQuaternion(), In<4>(quaternions),
-                                  RotateBands<kKernelOf<n>, false>(n, now), from, to);
+      StagedBatch<4, kAnglePlanes>(count, AnglesFromQuaternion(), quaternions,
+                                   RotateBands<kKernelOf<n>, false>(n, now), from, to);
     }
   });
 }
@@ -101,8 +115,8 @@ HWY_NOINLINE void EachMatrixBatch(size_t channels, size_t count, const simd::InV
     if constexpr (n <= kMaxTensorOrder) {
       ForEachBatch(count, RotateTensorsByMatrix<n>{now}, In<9>(matrices), from, to);
     } else {
-      ForEachStaged<kAnglePlanes>(count, AnglesFromMatrix(), In<9>(matrices),
-                                  RotateBands<kKernelOf<n>, true>(n, now), from, to);
+      StagedBatch<9, kAnglePlanes>(count, AnglesFromMatrix(), matrices,
+                                   RotateBands<kKernelOf<n>, true>(n, now), from, to);
     }
   });
 }
