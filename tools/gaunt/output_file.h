@@ -8,8 +8,8 @@
 namespace gaunt::tool {
 
 // A new file beside the target, which takes its place when it is complete. Links are followed; what
-// is no regular file, such as a device or a pipe, is written itself. One at a time: a signal that
-// ends the program removes it.
+// is no regular file, such as a device or a pipe, is written itself. Nobody else can read the
+// new file before it is complete. One at a time: a signal that ends the program removes it.
 class OutputFile {
  public:
   // Throws BadInput if the file cannot be written.
@@ -18,7 +18,7 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  // Where to write; it has the target's ending.
+  // Where to write; it has the target's ending, unless that is very long.
   const std::string& path() const { return written_; }
   // Throws std::runtime_error.
   void Commit();
@@ -29,6 +29,9 @@ class OutputFile {
   bool in_place_ = false;
   bool committed_ = false;
 };
+
+// Whether a path leads to the program's stdout, which then has no room for other text.
+bool IsStdout(const std::string& path);
 
 // Makes a folder if there is none. Throws BadInput if no file can be written there.
 void PrepareFolder(const std::string& path);
