@@ -37,6 +37,17 @@ Matrix Cofactors(const Matrix& m) {
   return c;
 }
 
+// Skips what has the factor 0, whatever it is: a turn that only exchanges components keeps them to
+// the bit, infinite ones and zeros with signs too.
+template <size_t N>
+double Sum(const std::array<double, N>& factors, const std::array<double, N>& v) {
+  double sum = -0.0;  // to which any number adds up as it is
+  for (size_t k = 0; k < N; ++k) {
+    if (factors[k] != 0.0) sum += factors[k] * v[k];
+  }
+  return sum;
+}
+
 double Determinant(const Matrix& m) {
   const Matrix c = Cofactors(m);
   return m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
@@ -110,15 +121,14 @@ Matrix Multiply(const Matrix& a, const Matrix& b) {
 }
 
 Vector Multiply(const Matrix& m, const Vector& v) {
-  return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
-          m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
+  Vector turned;
+  for (size_t i = 0; i < 3; ++i) turned[i] = Sum<3>({m[3 * i], m[3 * i + 1], m[3 * i + 2]}, v);
+  return turned;
 }
 
 Quaternion Multiply(const Quaternion& a, const Quaternion& b) {
-  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-          a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
-          a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+  return {Sum<4>({a[0], -a[1], -a[2], -a[3]}, b), Sum<4>({a[1], a[0], -a[3], a[2]}, b),
+          Sum<4>({a[2], a[3], a[0], -a[1]}, b), Sum<4>({a[3], -a[2], a[1], a[0]}, b)};
 }
 
 bool Mirrors(const Matrix& m) { return Determinant(m) < 0.0; }

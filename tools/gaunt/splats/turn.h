@@ -26,6 +26,7 @@ Matrix Mirror(size_t axis);
 
 // First b, then a.
 Matrix Multiply(const Matrix& a, const Matrix& b);
+// Entries that are 0 take nothing of v, not even infinity.
 Vector Multiply(const Matrix& m, const Vector& v);
 Quaternion Multiply(const Quaternion& a, const Quaternion& b);
 
