@@ -367,6 +367,52 @@ TEST_F(Splats, QuarterTurnsAndMirrorsKeepPositionsExactly) {
   }
 }
 
+// Zeros with signs and what is infinite or no number, alone and together.
+TEST_F(Splats, MirrorsKeepSpecialPositionsToTheBit) {
+  const float infinity = HUGE_VALF;
+  const float special[] = {0.0f,     -0.0f,     1e-45f,          -1e-40f,
+                           infinity, -infinity, std::nanf("77"), 3.5f};
+  SplatFile before = MakeSplats(0, 512);
+  for (size_t i = 0; i < before.count; ++i) {
+    const float position[] = {special[i % 8], special[i / 8 % 8], special[i / 64]};
+    for (size_t at : {before.Offset("x"), before.Offset("nx"), before.Offset("rot_0")}) {
+      std::memcpy(before.data.data() + i * before.stride + at, position, sizeof(position));
+    }
+  }
+  const auto at = [](const SplatFile& file, size_t splat, const char* first, size_t component) {
+    float value;
+    std::memcpy(&value, file.data.data() + splat * file.stride + file.Offset(first) + 4 * component,
+                4);
+    return value;
+  };
+  const auto expect_same = [](float a, float b) {
+    if (std::isnan(a)) {
+      ASSERT_TRUE(std::isnan(b));
+    } else {
+      ASSERT_EQ(a, b);
+      ASSERT_EQ(std::signbit(a), std::signbit(b));
+    }
+  };
+  EXPECT_TRUE(Rotated(before, tool::kIdentity).data == before.data);
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const SplatFile after = Rotated(before, tool::Mirror(axis));
+    for (size_t i = 0; i < before.count; ++i) {
+      for (size_t k = 0; k < 3; ++k) {
+        for (const char* vector : {"x", "nx"}) {
+          const float a = at(before, i, vector, k);
+          expect_same(k == axis ? -a : a, at(after, i, vector, k));
+        }
+      }
+    }
+  }
+  const SplatFile after = Rotated(before, tool::TurnAboutAxis({0, 0, 1}, 90));
+  for (size_t i = 0; i < before.count; ++i) {
+    expect_same(-at(before, i, "x", 1), at(after, i, "x", 0));
+    expect_same(at(before, i, "x", 0), at(after, i, "x", 1));
+    expect_same(at(before, i, "x", 2), at(after, i, "x", 2));
+  }
+}
+
 // Whether a rotation may change a property.
 bool Turns(const std::string& name) {
   for (const char* start : {"f_rest_", "rot_"}) {
@@ -388,7 +434,7 @@ TEST_F(Splats, AllElseStaysBitForBit) {
   const Around around = {"obj_info \t\x80 \r\nelement none 7\nelement chunk 3\nproperty int8 a\n",
                          "abc",
                          "element face 2\nproperty list uchar int vertex_indices\n",
-                         "whatever \r\n\xff",
+                         std::string("\0\2\xff\r\n \0\1\2\3", 10),
                          "\n",
                          "float32"};
   const SplatFile before = MakeSplats(2, 333, properties, around);
@@ -444,6 +490,20 @@ TEST_F(Splats, AnyNumberOfSplats) {
   test(MakeSplats(1, 250, properties));
 }
 
+// So many that the library prepares the rotation, in a chunk and in what is left.
+TEST_F(Splats, ColoursOfManySplats) {
+  Random random(6);
+  const SplatFile before = MakeSplats(3, tool::kChunkSplats + 300);
+  const std::vector<Matrix> turns = Turns();
+  for (size_t k = 0; k < turns.size(); k += 2) {
+    const SplatFile after = Rotated(before, turns[k]);
+    for (size_t i = 0; i < before.count; ++i) {
+      ExpectSeenAlike(before, after, turns[k], i, RandomCamera(random));
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
 TEST_F(Splats, OutputMayBeTheInput) {
   const SplatFile before = MakeSplats(1, 9);
   const Matrix turn = Turns().back();
@@ -452,17 +512,77 @@ TEST_F(Splats, OutputMayBeTheInput) {
   EXPECT_EQ(Read(Path("in.ply")), after.Bytes());
 }
 
-TEST_F(Splats, ProgressRises) {
-  double last = -1.0;
-  int calls = 0;
-  Write(Path("in.ply"), MakeSplats(0, 3 * tool::kChunkSplats).Bytes());
-  tool::RotateSplats(Path("in.ply"), Path("out.ply"), tool::kIdentity, [&](double share) {
-    EXPECT_GT(share, last);
-    EXPECT_LE(share, 1.0);
-    last = share;
-    ++calls;
-  });
-  EXPECT_EQ(calls, 3);
+TEST_F(Splats, ProgressRisesToAllInEveryElement) {
+  const auto count_calls = [&](const SplatFile& file) {
+    double last = 0.0;
+    int calls = 0;
+    Write(Path("in.ply"), file.Bytes());
+    tool::RotateSplats(Path("in.ply"), Path("out.ply"), tool::kIdentity, [&](double share) {
+      EXPECT_GT(share, last);
+      last = share;
+      ++calls;
+    });
+    EXPECT_EQ(last, 1.0);
+    return calls;
+  };
+  EXPECT_EQ(count_calls(MakeSplats(0, 0)), 1);
+  EXPECT_EQ(count_calls(MakeSplats(0, 3 * tool::kChunkSplats)), 3);
+  Around around;
+  around.elements_after = "element point 20000000\nproperty uchar a\n";
+  around.data_after.resize(20000000);
+  EXPECT_GT(count_calls(MakeSplats(0, 1, around)), 3);
+  around.elements_after = "element face 100000\nproperty list uchar int a\n";
+  around.data_after.resize(100000);
+  EXPECT_GT(count_calls(MakeSplats(0, 1, around)), 500);
+}
+
+// Lists of all types of lengths and entries, before and after the splats.
+TEST_F(Splats, ListsAreCopied) {
+  Around around;
+  around.elements_before =
+      "element none 0\nproperty list uint double a\n"
+      "element face 2\nproperty short a\nproperty list int8 float64 b\n"
+      "property list ushort uchar c\n";
+  around.data_before = std::string("sh\1doubled!\3\0abc", 16) + std::string("SH\0\0\0", 5);
+  around.elements_after =
+      "element strip 1\nproperty list int ushort a\nproperty list uint int8 b\n";
+  around.data_after =
+      std::string("\0\0\2\0", 4) + std::string(1 << 18, 'x') + std::string("\1\0\0\0y", 5);
+  const SplatFile before = MakeSplats(1, 20, around);
+  const Matrix turn = Turns().back();
+  const SplatFile after = Rotated(before, turn);
+  const size_t end = before.begin + before.count * before.stride;
+  EXPECT_EQ(after.data.substr(0, before.begin), around.data_before);
+  EXPECT_TRUE(after.data.substr(end) == around.data_after);
+  for (size_t i = 0; i < before.count; ++i) ExpectSeenAlike(before, after, turn, i, {9, 8, 7});
+}
+
+TEST_F(Splats, RejectsBrokenLists) {
+  const auto rejection = [&](const std::string& type, const std::string& data) {
+    Around around;
+    around.elements_after =
+        "element face 2\nproperty list " + type + " ushort a\nproperty uchar b\n";
+    around.data_after = data;
+    return Rejection(MakeSplats(0, 1, around).Bytes());
+  };
+  const std::string good =
+      "\2"
+      "abcd!\1ab!";
+  EXPECT_EQ(rejection("uchar", good), "accepted");
+  EXPECT_EQ(rejection("char", good), "accepted");
+  EXPECT_EQ(rejection("uchar", good + "x"), "has bytes after its last element");
+  for (size_t size = 0; size < good.size(); ++size) {
+    EXPECT_EQ(rejection("uchar", good.substr(0, size)), size < 6
+                                                            ? "has 0 of 2 items of element 'face'"
+                                                            : "has 1 of 2 items of element 'face'");
+  }
+  EXPECT_EQ(rejection("uint", "\xff\xff\xff\xff" + good), "has 0 of 2 items of element 'face'");
+  for (const char* type : {"int8", "short", "int32"}) {
+    EXPECT_EQ(rejection(type, "\xff\xff\xff\xff" + good),
+              "element 'face' has a list of a negative length, in item 0");
+  }
+  EXPECT_EQ(rejection("int8", good.substr(0, 6) + "\x80"),
+            "element 'face' has a list of a negative length, in item 1");
 }
 
 std::string Replaced(std::string text, const std::string& from, const std::string& to) {
@@ -510,8 +630,12 @@ TEST_F(Splats, RejectsWrongHeaders) {
       {"property float x", "property list uchar half x", "line 5: 'half' is no type"},
       {"property float x", "property float y", "line 6: a second property 'y'"},
       {"property float x", "property list uchar float x", "splats with lists cannot be rotated"},
-      {"element vertex", "element a 1\nproperty list uchar int b\nelement vertex",
-       "element 'a' has lists and comes before the splats"},
+      {"property float x", "property list float float x",
+       "line 5: a list cannot have its length as float"},
+      {"property float x", "property list float64 float x",
+       "line 5: a list cannot have its length as float64"},
+      {"end_header", "element a 2\nproperty list uchar int b\nend_header",
+       "has 0 of 2 items of element 'a'"},
       {"element vertex", "element a 999999999\nproperty int b\nelement vertex",
        "has 52 of 999999999 items of element 'a'"},
       {"end_header", "element a 5\nproperty int b\nend_header", "has 0 of 5 items of element 'a'"},
@@ -568,7 +692,7 @@ TEST_F(Splats, SurvivesMutations) {
   around.elements_before = "element chunk 2\nproperty ushort a\n";
   around.data_before = "1234";
   around.elements_after = "element face 1\nproperty list uchar int vertex_indices\n";
-  around.data_after = "12345";
+  around.data_after = "\1abcd";
   const std::string good = MakeSplats(1, 3, around).Bytes();
   const size_t header = good.find("end_header\n") + 11;
   const std::string words[] = {"element", "property", "list",       "float",
@@ -613,7 +737,11 @@ TEST_F(Splats, RejectsFilesThatCannotBeReadOrWritten) {
   EXPECT_THROW(run(folder_.string(), Path("out.ply")), BadInput);
   EXPECT_THROW(run(Path("in.ply"), folder_.string()), BadInput);
   EXPECT_THROW(run(Path("in.ply"), Path("nowhere/out.ply")), BadInput);
+  EXPECT_THROW(run(Path("in.ply"), ""), BadInput);
   EXPECT_EQ(FilesInFolder(), 1u);
+  const std::string longest = Path(std::string(251, 'n') + ".ply");
+  run(Path("in.ply"), longest);
+  EXPECT_TRUE(Read(longest) == Read(Path("in.ply")));
   if (fs::exists("/dev/full")) {
     try {
       run(Path("in.ply"), "/dev/full");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "splats/byte_file.h"
 
+#include <sys/stat.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -26,6 +28,12 @@ size_t ByteReader::Read(char* to, size_t bytes) {
   }
   bytes_ += read;
   return read;
+}
+
+uint64_t ByteReader::Size() const {
+  struct stat status = {};
+  if (fstat(fileno(file_.get()), &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+  return static_cast<uint64_t>(status.st_size);
 }
 
 ByteWriter::ByteWriter(const std::string& path, const std::string& name)

@@ -25,6 +25,7 @@ class ByteReader {
   size_t Read(char* to, size_t bytes);
   const std::string& path() const { return path_; }
   uint64_t bytes() const { return bytes_; }  // read up to now
+  uint64_t Size() const;                     // of the whole file; 0 if it is none, but a pipe
 
  private:
   std::string path_;

@@ -59,7 +59,7 @@ class Parser {
       } else if (keyword == "property") {
         ParseProperty(words);
       } else {
-        RejectLine(Quoted(line) + " belongs in no PLY header");
+        RejectLine(Shown(line) + " belongs in no PLY header");
       }
     }
     if (!has_format_) header_.Reject("has no line that says the format");
@@ -103,7 +103,7 @@ class Parser {
       const std::string_view format = words.size() > 1 ? words[1] : "";
       const std::string shown =
           words.size() > 2 ? fmt::format("{} {}", format, words[2]) : std::string(format);
-      RejectLine("the format is " + Quoted(shown) + ", but must be binary_little_endian 1.0");
+      RejectLine("the format is " + Shown(shown) + ", but must be binary_little_endian 1.0");
     }
     has_format_ = true;
   }
@@ -113,9 +113,9 @@ class Parser {
     uint64_t count = 0;
     const char* end = words[2].data() + words[2].size();
     const auto [stop, error] = std::from_chars(words[2].data(), end, count);
-    if (error == std::errc::result_out_of_range) RejectLine(Quoted(words[2]) + " is too many");
-    if (error != std::errc() || stop != end) RejectLine(Quoted(words[2]) + " is no count");
-    if (!elements_.emplace(words[1]).second) RejectLine("a second element " + Quoted(words[1]));
+    if (error == std::errc::result_out_of_range) RejectLine(Shown(words[2]) + " is too many");
+    if (error != std::errc() || stop != end) RejectLine(Shown(words[2]) + " is no count");
+    if (!elements_.emplace(words[1]).second) RejectLine("a second element " + Shown(words[1]));
     properties_.clear();
     header_.elements.push_back({std::string(words[1]), count, {}});
   }
@@ -126,15 +126,24 @@ class Parser {
     const bool list = words.size() > 1 && words[1] == "list";
     if (words.size() != (list ? 5 : 3)) RejectLine("a property has a type and a name");
     for (size_t k = list ? 2 : 1; k + 1 < words.size(); ++k) {
-      if (SizeOfType(words[k]) == 0) RejectLine(Quoted(words[k]) + " is no type");
+      if (SizeOfType(words[k]) == 0) RejectLine(Shown(words[k]) + " is no type");
     }
     if (!properties_.emplace(words.back()).second) {
-      RejectLine("a second property " + Quoted(words.back()));
+      RejectLine("a second property " + Shown(words.back()));
     }
-    element.properties.push_back(
-        {std::string(words.back()), list ? "" : std::string(words[1]), element.stride});
-    if (list) element.has_list = true;
-    if (!list) element.stride += SizeOfType(words[1]);
+    PlyProperty property = {std::string(words.back()), list ? "" : std::string(words[1]),
+                            element.stride, SizeOfType(words[list ? 3 : 1])};
+    if (list) {
+      if (IsPlyFloat(words[2]) || SizeOfType(words[2]) > 4) {
+        RejectLine("a list cannot have its length as " + std::string(words[2]));
+      }
+      property.count_bytes = SizeOfType(words[2]);
+      property.count_has_sign = words[2][0] != 'u';
+      element.has_list = true;
+    } else {
+      element.stride += property.size;
+    }
+    element.properties.push_back(std::move(property));
   }
 
   void CheckSizes() const {
@@ -142,7 +151,7 @@ class Parser {
     for (const PlyElement& element : header_.elements) {
       if (!element.has_list && element.stride > 0 && element.count > kMaxBytes / element.stride) {
         header_.Reject(
-            fmt::format("cannot have {} items of element {}", element.count, Quoted(element.name)));
+            fmt::format("cannot have {} items of element {}", element.count, Shown(element.name)));
       }
     }
   }
@@ -162,7 +171,7 @@ PlyHeader ReadPlyHeader(ByteReader& in) { return Parser(in).Parse(); }
 
 bool IsPlyFloat(std::string_view type) { return type == "float" || type == "float32"; }
 
-std::string Quoted(std::string_view word) {
+std::string Shown(std::string_view word) {
   constexpr size_t kShown = 40;
   std::string text(word.substr(0, kShown));
   for (char& c : text) {

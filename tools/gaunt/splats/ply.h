@@ -15,8 +15,11 @@ namespace gaunt::tool {
 
 struct PlyProperty {
   std::string name;
-  std::string type;  // as the file spells it; of a list, empty
-  size_t offset;     // in bytes, from the start of an item; after a list it means nothing
+  std::string type;        // as the file spells it; of a list, empty
+  size_t offset;           // in bytes, from the start of an item; after a list it means nothing
+  size_t size;             // in bytes; of a list, those of one entry
+  size_t count_bytes = 0;  // of the integer that a list begins with; 0: no list
+  bool count_has_sign = false;
 };
 
 struct PlyElement {
@@ -43,8 +46,8 @@ PlyHeader ReadPlyHeader(ByteReader& in);
 // Whether a type is the PLY format's 32-bit floating-point number.
 bool IsPlyFloat(std::string_view type);
 
-// A word of a file, fit to be shown in a line.
-std::string Quoted(std::string_view word);
+// A word of a file in quotes, fit for a line.
+std::string Shown(std::string_view word);
 
 }  // namespace gaunt::tool
 

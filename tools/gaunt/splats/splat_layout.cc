@@ -18,9 +18,6 @@ size_t FindVertices(const PlyHeader& header) {
       header.Reject("splats with lists cannot be rotated");
     }
     if (element.name == "vertex") return index;
-    if (element.has_list) {
-      header.Reject("element " + Quoted(element.name) + " has lists and comes before the splats");
-    }
     ++index;
   }
   header.Reject("has no element 'vertex'");

@@ -113,29 +113,107 @@ class Rotator {
   std::vector<float> tiles_;
 };
 
-// Hands on all items of an element, a chunk at a time. Messages say what they are.
-template <class Visit>
-void CopyItems(const PlyHeader& header, const PlyElement& element, const std::string& what,
-               size_t max_chunk, ByteReader& in, ByteWriter& out, Visit visit) {
-  if (element.stride == 0) return;
-  const size_t chunk = std::clamp<size_t>(kBlockBytes / element.stride, 1, max_chunk);
-  std::vector<char> block(element.stride * std::min<uint64_t>(chunk, element.count));
-  for (uint64_t done = 0; done < element.count;) {
-    const size_t items = std::min<uint64_t>(chunk, element.count - done);
-    const size_t whole = in.Read(block.data(), items * element.stride) / element.stride;
-    if (whole < items) {
-      header.Reject(fmt::format("has {} of {} {}", done + whole, element.count, what));
-    }
-    visit(block.data(), items, done);
-    out.Write(block.data(), items * element.stride);
-    done += items;
-  }
+// Bytes of all elements and the header; those of lists, which no header says, are left out.
+uint64_t KnownBytes(const PlyHeader& header) {
+  uint64_t bytes = header.text.size();
+  for (const PlyElement& element : header.elements) bytes += element.count * element.stride;
+  return bytes;
 }
 
-void CopyRest(ByteReader& in, ByteWriter& out) {
-  std::vector<char> block(kBlockBytes);
-  while (const size_t bytes = in.Read(block.data(), block.size())) out.Write(block.data(), bytes);
-}
+// Hands bytes on from file to file.
+class Copier {
+ public:
+  Copier(const PlyHeader& header, ByteReader& in, ByteWriter& out,
+         const std::function<void(double)>& progress)
+      : header_(header), in_(in), out_(out), progress_(progress) {
+    total_ = in.Size() > 0 ? in.Size() : KnownBytes(header);
+    out_.Write(header.text.data(), header.text.size());
+  }
+
+  // All items of an element without lists, a chunk at a time. Messages say what they are.
+  template <class Visit>
+  void CopyItems(const PlyElement& element, const std::string& what, size_t max_chunk,
+                 Visit visit) {
+    if (element.stride == 0) return;
+    const size_t chunk = std::clamp<size_t>(kBlockBytes / element.stride, 1, max_chunk);
+    Grow(element.stride * std::min<uint64_t>(chunk, element.count));
+    for (uint64_t done = 0; done < element.count;) {
+      const size_t items = std::min<uint64_t>(chunk, element.count - done);
+      const size_t whole = in_.Read(block_.data(), items * element.stride) / element.stride;
+      if (whole < items) Miss(element, what, done + whole);
+      visit(block_.data(), items);
+      out_.Write(block_.data(), items * element.stride);
+      done += items;
+      ShowProgress();
+    }
+  }
+
+  void CopyLists(const PlyElement& element, const std::string& what) {
+    Grow(kListBlockBytes);
+    for (uint64_t done = 0; done < element.count; ++done) {
+      for (const PlyProperty& property : element.properties) {
+        uint64_t bytes = property.size;
+        if (property.count_bytes > 0) {
+          if (!Copy(property.count_bytes)) Miss(element, what, done);
+          uint32_t count = 0;
+          std::memcpy(&count, block_.data(), property.count_bytes);
+          if (property.count_has_sign && count >> (8 * property.count_bytes - 1) != 0) {
+            header_.Reject(fmt::format("element {} has a list of a negative length, in item {}",
+                                       Shown(element.name), done));
+          }
+          bytes *= count;
+        }
+        if (!Copy(bytes)) Miss(element, what, done);
+      }
+      ShowProgress();
+    }
+  }
+
+  void End() {
+    char extra;
+    if (in_.Read(&extra, 1) > 0) header_.Reject("has bytes after its last element");
+    if (shown_ < 1.0) progress_(1.0);
+  }
+
+ private:
+  static constexpr size_t kListBlockBytes = size_t{1} << 16;
+
+  void Grow(size_t bytes) {
+    if (block_.size() < bytes) block_.resize(bytes);
+  }
+
+  // Whether the file has as many.
+  bool Copy(uint64_t bytes) {
+    while (bytes > 0) {
+      const size_t part = std::min<uint64_t>(bytes, block_.size());
+      if (in_.Read(block_.data(), part) < part) return false;
+      out_.Write(block_.data(), part);
+      bytes -= part;
+    }
+    return true;
+  }
+
+  [[noreturn]] void Miss(const PlyElement& element, const std::string& what, uint64_t has) const {
+    header_.Reject(fmt::format("has {} of {} {}", has, element.count, what));
+  }
+
+  void ShowProgress() {
+    constexpr double kStep = 1e-3;
+    const double share =
+        std::min(1.0, static_cast<double>(in_.bytes()) / static_cast<double>(total_));
+    if (share < shown_ + kStep) return;
+    progress_(share);
+    shown_ = share;
+  }
+
+  const PlyHeader& header_;
+  ByteReader& in_;
+  ByteWriter& out_;
+  const std::function<void(double)>& progress_;
+  uint64_t total_;
+  double shown_ = 0.0;
+  std::vector<char> block_;
+};
 
 }  // namespace
 
@@ -146,27 +224,21 @@ SplatSummary RotateSplats(const std::string& in, const std::string& out, const M
   const SplatLayout layout = FindSplats(header);
   OutputFile output(out);
   ByteWriter writer(output.path(), out);
-  writer.Write(header.text.data(), header.text.size());
+  Copier copier(header, reader, writer, progress);
   Rotator rotator(layout, turn);
-  bool known_size = true;
-  for (size_t k = 0; k < header.elements.size() && known_size; ++k) {
+  for (size_t k = 0; k < header.elements.size(); ++k) {
     const PlyElement& element = header.elements[k];
+    const std::string what = "items of element " + Shown(element.name);
     if (element.has_list) {
-      CopyRest(reader, writer);
-      known_size = false;
+      copier.CopyLists(element, what);
     } else if (k == layout.element) {
-      CopyItems(header, element, "splats", kChunkSplats, reader, writer,
-                [&](char* records, size_t count, uint64_t done) {
-                  progress(static_cast<double>(done) / static_cast<double>(layout.count));
-                  rotator.Rotate(records, count);
-                });
+      copier.CopyItems(element, "splats", kChunkSplats,
+                       [&](char* records, size_t count) { rotator.Rotate(records, count); });
     } else {
-      CopyItems(header, element, "items of element " + Quoted(element.name), kBlockBytes, reader,
-                writer, [](char*, size_t, uint64_t) {});
+      copier.CopyItems(element, what, kBlockBytes, [](char*, size_t) {});
     }
   }
-  char extra;
-  if (known_size && reader.Read(&extra, 1) > 0) header.Reject("has bytes after its last element");
+  copier.End();
   writer.Close();
   output.Commit();
   return {layout.count, layout.order - 1, reader.bytes()};

@@ -23,7 +23,8 @@ struct SplatSummary {
 
 // Positions, normals, orientations and colours of all splats turn with the orthogonal matrix; all
 // other bytes stay. The output is written whole or not at all, and may be the input. Progress is
-// called with the share that is done. Throws BadInput, std::runtime_error.
+// called with the share of the bytes that is done, which rises to 1. Throws BadInput,
+// std::runtime_error.
 SplatSummary RotateSplats(const std::string& in, const std::string& out, const Matrix& turn,
                           const std::function<void(double)>& progress);
 
