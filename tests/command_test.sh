@@ -10,6 +10,7 @@ failures=0
 
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 
+unfinished() { find . -name '.gaunt*'; }
 leftovers() {
   find . -name '*.png' -o -name '*part*' -o -name '.gaunt*' -o -name '*turned*'
 }
@@ -116,6 +117,11 @@ rejects missing.ply rotate missing.ply "${turn[@]}"
 rejects "it is a folder" rotate folder "${turn[@]}"
 rejects "it is a folder" rotate scene.ply --mirror x --out folder
 rejects nowhere rotate scene.ply --mirror x --out nowhere/turned.ply
+rejects "name is empty" rotate scene.ply --mirror x --out ""
+rejects "name is empty" points --repulsion 2 --out ""
+rejects "missing?file.ply: No such file" rotate $'missing\nfile.ply' "${turn[@]}"
+ln -s ring.ply ring.ply
+rejects "symbolic links" rotate scene.ply --mirror x --out ring.ply
 # broken_splats WORD COMMAND...: rejects what the command makes of the file.
 broken_splats() {
   local word=$1
@@ -265,20 +271,71 @@ rm turned.ply
 
 # An end in the middle leaves nothing either.
 mkfifo slow.ply
-"$gaunt" rotate slow.ply "${turn[@]}" >out.txt 2>err.txt &
-rotating=$!
-exec 3>slow.ply
-head -c -1 scene.ply >&3
+ulimit -c 0
+for ending in TERM:143 ALRM:142 PIPE:141 XCPU:152; do
+  "$gaunt" rotate slow.ply "${turn[@]}" >out.txt 2>err.txt &
+  rotating=$!
+  exec 3>slow.ply
+  head -c -1 scene.ply >&3
+  for _ in $(seq 100); do
+    [ -z "$(unfinished)" ] || break
+    sleep 0.1
+  done
+  [ "$(stat -c %a .gaunt*)" = 600 ] || fail "rotate: no private file to interrupt"
+  kill -${ending%:*} $rotating
+  wait $rotating 2>/dev/null
+  [ $? -eq ${ending#*:} ] || fail "rotate does not end by SIG${ending%:*}"
+  exec 3>&-
+  [ -z "$(unfinished)" ] && [ ! -e turned.ply ] || fail "rotate left a file after SIG${ending%:*}"
+done
+
+# Output to links, pipes and stdout; what is said about it goes elsewhere.
+"$gaunt" rotate scene.ply --mirror x --out mirrored.ply >out.txt || fail "rotate"
+[ "$(stat -c %a mirrored.ply)" = "$(stat -c %a scene.ply)" ] || fail "mode of a new file"
+mkdir linked && ln -s ../not-yet.ply linked/one.ply && ln -s linked/one.ply two.ply
+for _ in new again; do
+  "$gaunt" rotate scene.ply --mirror x --out two.ply >out.txt || fail "rotate to a dangling link"
+  [ -L two.ply ] && [ -L linked/one.ply ] && cmp -s not-yet.ply mirrored.ply ||
+    fail "a dangling link was replaced"
+done
+for form in "" --json; do
+  "$gaunt" rotate scene.ply --mirror x --out /dev/stdout $form 2>err.txt | cat >piped.ply
+  [ "${PIPESTATUS[0]}" -eq 0 ] && cmp -s piped.ply mirrored.ply && [ -s err.txt ] ||
+    fail "rotate to stdout: $(cat err.txt)"
+done
+"$gaunt" rotate scene.ply --mirror x --out /dev/stdout 2>err.txt >redirected.ply
+cmp -s redirected.ply mirrored.ply && grep -q mirrored err.txt || fail "rotate to redirected stdout"
+"$gaunt" rotate scene.ply --mirror x --out >(cat >substituted.ply; : >read-all) >out.txt ||
+  fail "rotate to a process"
 for _ in $(seq 100); do
-  [ -z "$(find . -name '*turned*')" ] || break
+  [ ! -f read-all ] || break
   sleep 0.1
 done
-[ -n "$(find . -name '*turned*')" ] || fail "rotate: no file to interrupt"
-kill -TERM $rotating
-wait $rotating 2>/dev/null
-[ $? -eq 143 ] || fail "rotate does not end by a signal"
-exec 3>&-
-[ -z "$(find . -name '*turned*')" ] || fail "rotate left a file when it was interrupted"
+cmp -s substituted.ply mirrored.ply || fail "rotate to a process"
+"$gaunt" points --repulsion 2 --csv --out /dev/stdout 2>err.txt | cmp -s - real.txt ||
+  fail "points to stdout"
+
+# Where there is no room.
+{ cat scene.ply && head -c 200000 /dev/zero; } |
+  sed 's/^end_header/element more 200000\nproperty uchar x\n&/' >large.ply
+(ulimit -f 64 && "$gaunt" rotate large.ply --mirror x --out large-out.ply >out.txt 2>err.txt)
+[ $? -eq 1 ] && [ "$(cat err.txt)" = "gaunt: cannot write large-out.ply: File too large" ] ||
+  fail "rotate beyond the limit of files: $(cat err.txt)"
+[ ! -e large-out.ply ] && [ -z "$(unfinished)" ] || fail "rotate left a file at the limit of files"
+for command in "info" "info --help" "opcount --csv" "points --repulsion 2" \
+  "rotate scene.ply --mirror x --out spare.ply"; do
+  "$gaunt" $command >/dev/full 2>err.txt
+  [ $? -eq 1 ] && [ "$(wc -l <err.txt)" -eq 1 ] && grep -q "No space left" err.txt ||
+    fail "$command with a full stdout: $(cat err.txt)"
+done
+
+# Names and numbers as they come.
+"$gaunt" rotate scene.ply --mirror x --json --out $'\xff.ply' >json.txt 2>err.txt ||
+  fail "rotate --json of a name that is not UTF-8: $(cat err.txt)"
+"$gaunt" rotate scene.ply --quaternion 0 0 -.5 -.5e0 --out short.ply >out.txt 2>err.txt ||
+  fail "rotate by -.5: $(cat err.txt)"
+"$gaunt" rotate scene.ply --quaternion 0 0 -0.5 -0.5 --out long.ply >out.txt
+cmp -s short.ply long.ply || fail "rotate by -.5 and -0.5 differ"
 
 # Charts.
 "$gaunt" chart f --results results.json --out charts >out.txt 2>err.txt || fail "chart: $(cat err.txt)"

@@ -3,6 +3,7 @@
 #define GAUNT_TOOLS_GAUNT_BAD_INPUT_H_
 
 #include <stdexcept>
+#include <string>
 
 namespace gaunt::tool {
 
@@ -11,6 +12,9 @@ class BadInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+// Of what a library says, which may go on with hints.
+inline std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 }  // namespace gaunt::tool
 

@@ -26,7 +26,7 @@ void PrintInfo(bool json) {
     nlohmann::ordered_json info = {
         {"version", version}, {"target", gaunt_target_name()}, {"targets", targets}};
     if (wanted != nullptr) info["GAUNT_TARGET"] = {{"value", wanted}, {"ignored", ignored}};
-    fmt::print("{}\n", info.dump(2));
+    PrintJson(info);
     return;
   }
   fmt::print("gaunt {}\n", version);

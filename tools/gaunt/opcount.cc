@@ -15,7 +15,7 @@ struct OpcountOptions {
   bool json = false;
 };
 
-void PrintJson(const OperationRows& rows) {
+void PrintRows(const OperationRows& rows) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (const OperationRow& row : rows) {
     const Operations& o = row.operations;
@@ -28,12 +28,12 @@ void PrintJson(const OperationRows& rows) {
                    {"ports", o.Ports()},
                    {"div", o.div}});
   }
-  fmt::print("{}\n", out.dump(2));
+  PrintJson(out);
 }
 
 void PrintOpcount(const OpcountOptions& options) {
   const OperationRows rows = AllOperations();
-  if (options.json) return PrintJson(rows);
+  if (options.json) return PrintRows(rows);
   if (options.csv) {
     fmt::print("op,order,variant,mul,fma,add,ports\n");
     for (const OperationRow& row : rows) {

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -151,11 +154,13 @@ std::string Header(const PointsOptions& options, const std::vector<Result>& resu
   return text + fmt::format("#endif  // {}\n", guard);
 }
 
-void Write(const std::string& text, OutputFile& out) {
+// Messages say `name`.
+void Write(const std::string& text, const std::string& name, OutputFile& out) {
   std::ofstream file(out.path(), std::ios::binary);
+  errno = 0;
   file << text;
   file.close();
-  if (!file) throw std::runtime_error("cannot write " + out.path());
+  if (!file) throw std::runtime_error("cannot write " + name + ": " + std::strerror(errno));
   out.Commit();
 }
 
@@ -211,8 +216,9 @@ void RunPoints(const PointsOptions& options) {
     fmt::print("{}", text);
     return;
   }
-  Write(text, *out);
-  for (const Result& result : results) fmt::print("{}\n", Summary(result));
+  std::FILE* summaries = IsStdout(options.out) ? stderr : stdout;
+  Write(text, options.out, *out);
+  for (const Result& result : results) fmt::print(summaries, "{}\n", Summary(result));
 }
 
 }  // namespace
@@ -236,7 +242,7 @@ void AddPoints(CLI::App& app) {
   command->add_option("--header", o->header, "Write a C++ header that defines this name")
       ->excludes(csv)
       ->excludes(json);
-  command->add_option("--out", o->out, "File to write; by default stdout");
+  command->add_option("--out", o->out, "File to write; by default stdout")->check(NotEmpty);
   command->callback([o] { RunPoints(*o); });
 }
 

@@ -3,6 +3,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "bad_input.h"
+
 namespace gaunt::tool {
 namespace {
 
@@ -40,7 +42,7 @@ std::optional<Environment> Environment::Load(const std::string& path, TexelRepor
                                              std::string* error) {
   const auto input = OIIO::ImageInput::open(path);
   if (!input) {
-    *error = "cannot read " + path + ": " + OIIO::geterror();
+    *error = "cannot read " + path + ": " + FirstLine(OIIO::geterror());
     return std::nullopt;
   }
   const OIIO::ImageSpec& spec = input->spec();
@@ -55,7 +57,7 @@ std::optional<Environment> Environment::Load(const std::string& path, TexelRepor
   std::vector<float> read(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
                           static_cast<size_t>(channels));
   if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, read.data())) {
-    *error = "cannot read " + path + ": " + input->geterror();
+    *error = "cannot read " + path + ": " + FirstLine(input->geterror());
     return std::nullopt;
   }
   Environment environment;

@@ -180,7 +180,7 @@ void PrintText(const FrameOptions& options, const TexelReport& report, const Pro
   }
 }
 
-void PrintJson(const FrameOptions& options, const TexelReport& report, const ProbeVolume& volume,
+void PrintResult(const FrameOptions& options, const TexelReport& report, const ProbeVolume& volume,
                size_t bytes, const ContestResult& result) {
   const auto timing = [](const Timing& t) {
     return nlohmann::ordered_json{{"p05", t.p05}, {"median", t.median}};
@@ -206,7 +206,7 @@ void PrintJson(const FrameOptions& options, const TexelReport& report, const Pro
                                  {"ratio_p05", baseline.timing.p05 / result.gaunt.p05},
                                  {"ratio_median", baseline.timing.median / result.gaunt.median}});
   }
-  fmt::print("{}\n", json.dump(2));
+  PrintJson(json);
 }
 
 void RunFrame(const FrameOptions& options) {
@@ -244,7 +244,7 @@ void RunFrame(const FrameOptions& options) {
     const Progress bar("drawing");
     WritePictures(options, *scene, environment, sky, volume, packed, objects, result);
   }
-  if (options.json) return PrintJson(options, report, volume, packed.size(), result);
+  if (options.json) return PrintResult(options, report, volume, packed.size(), result);
   PrintText(options, report, volume, packed.size(), result);
   const std::filesystem::path out(options.out);
   fmt::print("pictures, packed left and reference right: {} {}\n", (out / "frame.png").string(),

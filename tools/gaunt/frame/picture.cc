@@ -172,11 +172,11 @@ Picture Render(const Scene& scene, const Environment& environment, const Indirec
 void WritePng(const Picture& picture, const std::string& path) {
   OutputFile file(path);
   const auto output = OIIO::ImageOutput::create(file.path());
-  if (!output) throw BadInput("cannot write " + path + ": " + OIIO::geterror());
+  if (!output) throw BadInput("cannot write " + path + ": " + FirstLine(OIIO::geterror()));
   const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
   if (!output->open(file.path(), spec) ||
       !output->write_image(OIIO::TypeDesc::UINT8, picture.rgb.data()) || !output->close()) {
-    throw BadInput("cannot write " + path + ": " + output->geterror());
+    throw BadInput("cannot write " + path + ": " + FirstLine(output->geterror()));
   }
   file.Commit();
 }

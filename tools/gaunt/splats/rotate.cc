@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command.h"
+#include "output_file.h"
 #include "progress.h"
 #include "splats/splats.h"
 #include "splats/turn.h"
@@ -46,12 +47,14 @@ Matrix Turn(const RotateOptions& o) {
 
 void RunRotate(const RotateOptions& options) {
   const Matrix turn = Turn(options);
+  const bool to_stdout = IsStdout(options.out);
   const auto start = std::chrono::steady_clock::now();
   SplatSummary summary;
   {
     Progress bar("rotating");
     summary = RotateSplats(options.in, options.out, turn, [&](double share) { bar.Set(share); });
   }
+  std::FILE* to = to_stdout ? stderr : stdout;
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double speed = 1e-6 * static_cast<double>(summary.bytes) / seconds;
@@ -60,10 +63,10 @@ void RunRotate(const RotateOptions& options) {
                                          {"matrix", turn},           {"mirrored", Mirrors(turn)},
                                          {"bytes", summary.bytes},   {"seconds", seconds},
                                          {"mb_per_second", speed},   {"out", options.out}};
-    fmt::print("{}\n", json.dump(2));
+    PrintJson(json, to);
     return;
   }
-  fmt::print("{} splat{} of SH degree {} {} in {:.2f} s ({:.0f} MB/s): {}\n", summary.splats,
+  fmt::print(to, "{} splat{} of SH degree {} {} in {:.2f} s ({:.0f} MB/s): {}\n", summary.splats,
              summary.splats == 1 ? "" : "s", summary.degree, Mirrors(turn) ? "mirrored" : "rotated",
              seconds, speed, options.out);
 }
@@ -77,9 +80,13 @@ void AddRotate(CLI::App& app) {
   const auto o = std::make_shared<RotateOptions>();
   command->add_option("scene", o->in, "PLY file, binary little-endian, SH degree 0 to 3")
       ->required();
-  command->add_option("--out", o->out, "File to write; it may be the scene itself")->required();
+  command->add_option("--out", o->out, "File to write; it may be the scene itself")
+      ->required()
+      ->check(NotEmpty);
   CLI::Option* quaternion =
-      command->add_option("--quaternion", o->quaternion, "Rotation X Y Z W, of any length")
+      command
+          ->add_option("--quaternion", o->quaternion,
+                       "Rotation X Y Z W, of any length (a file's rot_* is W X Y Z)")
           ->expected(4);
   CLI::Option* axis =
       command->add_option("--axis", o->axis, "Axis X Y Z of a right-handed rotation")
