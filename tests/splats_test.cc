@@ -367,49 +367,42 @@ TEST_F(Splats, QuarterTurnsAndMirrorsKeepPositionsExactly) {
   }
 }
 
-// Zeros with signs and what is infinite or no number, alone and together.
-TEST_F(Splats, MirrorsKeepSpecialPositionsToTheBit) {
-  const float infinity = HUGE_VALF;
-  const float special[] = {0.0f,     -0.0f,     1e-45f,          -1e-40f,
-                           infinity, -infinity, std::nanf("77"), 3.5f};
+// Zeros with signs, infinities, and what is no number, quiet or signalling.
+TEST_F(Splats, MirrorsKeepPositionsToTheBit) {
+  constexpr uint32_t kSign = uint32_t{1} << 31;
+  const uint32_t special[] = {0,          kSign,      1,          0x80012345,
+                              0x7f800000, 0xff800000, 0x7f800001, 0xffc00077};
   SplatFile before = MakeSplats(0, 512);
   for (size_t i = 0; i < before.count; ++i) {
-    const float position[] = {special[i % 8], special[i / 8 % 8], special[i / 64]};
-    for (size_t at : {before.Offset("x"), before.Offset("nx"), before.Offset("rot_0")}) {
-      std::memcpy(before.data.data() + i * before.stride + at, position, sizeof(position));
+    const uint32_t vector[] = {special[i % 8], special[i / 8 % 8], special[i / 64]};
+    for (const char* first : {"x", "nx", "rot_1"}) {
+      char* splat = before.data.data() + i * before.stride;
+      std::memcpy(splat + before.Offset(first), vector, sizeof(vector));
     }
   }
-  const auto at = [](const SplatFile& file, size_t splat, const char* first, size_t component) {
-    float value;
-    std::memcpy(&value, file.data.data() + splat * file.stride + file.Offset(first) + 4 * component,
-                4);
+  const auto bits = [](const SplatFile& file, size_t splat, const char* first, size_t component) {
+    uint32_t value;
+    const char* begin = file.data.data() + splat * file.stride + file.Offset(first);
+    std::memcpy(&value, begin + sizeof(value) * component, sizeof(value));
     return value;
   };
-  const auto expect_same = [](float a, float b) {
-    if (std::isnan(a)) {
-      ASSERT_TRUE(std::isnan(b));
-    } else {
-      ASSERT_EQ(a, b);
-      ASSERT_EQ(std::signbit(a), std::signbit(b));
-    }
-  };
   EXPECT_TRUE(Rotated(before, tool::kIdentity).data == before.data);
-  for (size_t axis = 0; axis < 3; ++axis) {
-    const SplatFile after = Rotated(before, tool::Mirror(axis));
-    for (size_t i = 0; i < before.count; ++i) {
-      for (size_t k = 0; k < 3; ++k) {
-        for (const char* vector : {"x", "nx"}) {
-          const float a = at(before, i, vector, k);
-          expect_same(k == axis ? -a : a, at(after, i, vector, k));
+  const SplatFile turned = Rotated(before, tool::TurnAboutAxis({0, 0, 1}, 90));
+  for (const char* first : {"x", "nx"}) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const SplatFile mirrored = Rotated(before, tool::Mirror(axis));
+      for (size_t i = 0; i < before.count; ++i) {
+        for (size_t k = 0; k < 3; ++k) {
+          ASSERT_EQ(bits(mirrored, i, first, k),
+                    bits(before, i, first, k) ^ (k == axis ? kSign : 0));
         }
       }
     }
-  }
-  const SplatFile after = Rotated(before, tool::TurnAboutAxis({0, 0, 1}, 90));
-  for (size_t i = 0; i < before.count; ++i) {
-    expect_same(-at(before, i, "x", 1), at(after, i, "x", 0));
-    expect_same(at(before, i, "x", 0), at(after, i, "x", 1));
-    expect_same(at(before, i, "x", 2), at(after, i, "x", 2));
+    for (size_t i = 0; i < before.count; ++i) {
+      ASSERT_EQ(bits(turned, i, first, 0), bits(before, i, first, 1) ^ kSign);
+      ASSERT_EQ(bits(turned, i, first, 1), bits(before, i, first, 0));
+      ASSERT_EQ(bits(turned, i, first, 2), bits(before, i, first, 2));
+    }
   }
 }
 

@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <vector>
@@ -33,10 +35,59 @@ void Store(double value, char* record, size_t offset) {
   std::memcpy(record + offset, &rounded, sizeof(rounded));
 }
 
+// A square matrix times some floats of a record. Entries of 0 take nothing of a float, not even
+// infinity, and a float that only moves or changes its sign keeps all other bits.
+template <size_t N>
+class FloatsTurn {
+ public:
+  explicit FloatsTurn(const std::array<double, N * N>& matrix) {
+    for (size_t i = 0; i < N; ++i) {
+      for (size_t k = 0; k < N; ++k) {
+        const double factor = matrix[N * i + k];
+        if (factor != 0.0) rows_[i].terms[rows_[i].count++] = {k, factor};
+      }
+    }
+  }
+
+  void Apply(const size_t* offsets, char* record) const {
+    char before[N * sizeof(float)];
+    for (size_t k = 0; k < N; ++k) {
+      std::memcpy(before + k * sizeof(float), record + offsets[k], sizeof(float));
+    }
+    for (size_t i = 0; i < N; ++i) {
+      const Row& row = rows_[i];
+      const Term first = row.terms[0];
+      if (row.count == 1 && std::abs(first.factor) == 1.0) {
+        uint32_t bits;
+        std::memcpy(&bits, before + first.k * sizeof(float), sizeof(bits));
+        if (first.factor < 0.0) bits ^= uint32_t{1} << 31;
+        std::memcpy(record + offsets[i], &bits, sizeof(bits));
+        continue;
+      }
+      double sum = 0.0;
+      for (size_t t = 0; t < row.count; ++t) {
+        sum += row.terms[t].factor * Load(before, row.terms[t].k * sizeof(float));
+      }
+      Store(sum, record, offsets[i]);
+    }
+  }
+
+ private:
+  struct Term {
+    size_t k;
+    double factor;
+  };
+  struct Row {
+    size_t count = 0;
+    Term terms[N] = {};
+  };
+  Row rows_[N];
+};
+
 class Rotator {
  public:
   Rotator(const SplatLayout& layout, const Matrix& turn)
-      : layout_(layout), turn_(turn), orientation_(Orientation(turn)) {
+      : layout_(layout), vector_(turn), orientation_(ProductBy(Orientation(turn))) {
     std::transform(turn.begin(), turn.end(), matrix_,
                    [](double entry) { return static_cast<float>(entry); });
     gaunt_view_broadcast(matrix_, &matrix_view_);
@@ -45,29 +96,14 @@ class Rotator {
   void Rotate(char* records, size_t count) {
     for (size_t i = 0; i < count; ++i) {
       char* record = records + i * layout_.stride;
-      RotateVector(layout_.position.data(), record);
-      if (!layout_.normal.empty()) RotateVector(layout_.normal.data(), record);
-      RotateOrientation(record);
+      vector_.Apply(layout_.position.data(), record);
+      if (!layout_.normal.empty()) vector_.Apply(layout_.normal.data(), record);
+      orientation_.Apply(layout_.orientation.data(), record);
     }
     if (layout_.order > 1) RotateColours(records, count);
   }
 
  private:
-  void RotateVector(const size_t* offsets, char* record) const {
-    Vector v;
-    for (size_t k = 0; k < 3; ++k) v[k] = Load(record, offsets[k]);
-    v = Multiply(turn_, v);
-    for (size_t k = 0; k < 3; ++k) Store(v[k], record, offsets[k]);
-  }
-
-  // A covariance does not see a mirror through the centre, so the part that rotates is all.
-  void RotateOrientation(char* record) const {
-    Quaternion q;
-    for (size_t k = 0; k < 4; ++k) q[k] = Load(record, layout_.orientation[k]);
-    q = Multiply(orientation_, q);
-    for (size_t k = 0; k < 4; ++k) Store(q[k], record, layout_.orientation[k]);
-  }
-
   void RotateColours(char* records, size_t count) {
     const size_t planes = 3 * size_t{layout_.order} * layout_.order;
     const size_t tiles = (count + GAUNT_TILE_ITEMS - 1) / GAUNT_TILE_ITEMS;
@@ -106,8 +142,9 @@ class Rotator {
   }
 
   const SplatLayout& layout_;
-  Matrix turn_;
-  Quaternion orientation_;
+  FloatsTurn<3> vector_;
+  // A covariance does not see a mirror through the centre, so the part that rotates is all.
+  FloatsTurn<4> orientation_;
   float matrix_[9];
   gaunt_view matrix_view_;
   std::vector<float> tiles_;

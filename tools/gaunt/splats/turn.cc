@@ -37,17 +37,6 @@ Matrix Cofactors(const Matrix& m) {
   return c;
 }
 
-// Skips what has the factor 0, whatever it is: a turn that only exchanges components keeps them to
-// the bit, infinite ones and zeros with signs too.
-template <size_t N>
-double Sum(const std::array<double, N>& factors, const std::array<double, N>& v) {
-  double sum = -0.0;  // to which any number adds up as it is
-  for (size_t k = 0; k < N; ++k) {
-    if (factors[k] != 0.0) sum += factors[k] * v[k];
-  }
-  return sum;
-}
-
 double Determinant(const Matrix& m) {
   const Matrix c = Cofactors(m);
   return m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
@@ -120,15 +109,9 @@ Matrix Multiply(const Matrix& a, const Matrix& b) {
   return m;
 }
 
-Vector Multiply(const Matrix& m, const Vector& v) {
-  Vector turned;
-  for (size_t i = 0; i < 3; ++i) turned[i] = Sum<3>({m[3 * i], m[3 * i + 1], m[3 * i + 2]}, v);
-  return turned;
-}
-
-Quaternion Multiply(const Quaternion& a, const Quaternion& b) {
-  return {Sum<4>({a[0], -a[1], -a[2], -a[3]}, b), Sum<4>({a[1], a[0], -a[3], a[2]}, b),
-          Sum<4>({a[2], a[3], a[0], -a[1]}, b), Sum<4>({a[3], -a[2], a[1], a[0]}, b)};
+std::array<double, 16> ProductBy(const Quaternion& q) {
+  const auto [w, x, y, z] = q;
+  return {w, -x, -y, -z, x, w, -z, y, y, z, w, -x, z, -y, x, w};
 }
 
 bool Mirrors(const Matrix& m) { return Determinant(m) < 0.0; }

@@ -26,9 +26,8 @@ Matrix Mirror(size_t axis);
 
 // First b, then a.
 Matrix Multiply(const Matrix& a, const Matrix& b);
-// Entries that are 0 take nothing of v, not even infinity.
-Vector Multiply(const Matrix& m, const Vector& v);
-Quaternion Multiply(const Quaternion& a, const Quaternion& b);
+// The 4 x 4 matrix of p -> q p.
+std::array<double, 16> ProductBy(const Quaternion& q);
 
 bool Mirrors(const Matrix& m);
 // Unit quaternion of a rotation; of a matrix that mirrors, that of -m.
