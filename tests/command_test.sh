@@ -329,6 +329,9 @@ for command in "info" "info --help" "opcount --csv" "points --repulsion 2" \
     fail "$command with a full stdout: $(cat err.txt)"
 done
 
+"$gaunt" nonsense >out.txt 2>/dev/full
+[ $? -eq 2 ] || fail "exit code with a full stderr"
+
 # Names and numbers as they come.
 "$gaunt" rotate scene.ply --mirror x --json --out $'\xff.ply' >json.txt 2>err.txt ||
   fail "rotate --json of a name that is not UTF-8: $(cat err.txt)"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -18,7 +16,7 @@ namespace {
 void PrintError(std::string message) {
   const auto control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
   std::replace_if(message.begin(), message.end(), control, '?');
-  fmt::print(stderr, "gaunt: {}\n", message);
+  std::fprintf(stderr, "gaunt: %s\n", message.c_str());  // which does not throw if that fails
 }
 
 // -.5 as -0.5: CLI11 takes the one for an option.
@@ -44,6 +42,7 @@ int Run(int argc, char** argv) {
   gaunt::tool::AddChart(app);
   const std::vector<std::string> arguments = Arguments(argc, argv);
   std::vector<const char*> pointers;
+  pointers.reserve(arguments.size());
   for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
   try {
     app.parse(argc, pointers.data());
