@@ -107,17 +107,19 @@ GAUNT_BENCHMARKS(rotate) {
     for (const uint32_t channels : {1u, 3u}) {
       if (channels == 3 && n > 6) continue;
       const RotateCase rotate = {n, channels};
-      RegisterRotate(rotate, "quaternion", "rotate", false, false, "quaternion for each");
-      RegisterRotate(rotate, "matrix", "rotate_matrix", true, false, "matrix for each");
-      RegisterRotate(rotate, "one", "rotate_broadcast", false, true, "one for all");
+      RegisterRotate(rotate, "quaternion", "rotate", false, false, "one for each: quaternion");
+      RegisterRotate(rotate, "matrix", "rotate_matrix", true, false, "one for each: matrix");
+      RegisterRotate(rotate, "one", "rotate_broadcast", false, true, "one for all: plan");
     }
   }
   for (int n = kMinBaselineOrder; n <= kMaxBaselineOrder; ++n) {
     const RotateCase rotate = {static_cast<uint32_t>(n), 1};
-    RegisterBaseline(rotate, "quaternion", "factored", Factored(n), "scalar: as the kernels");
-    RegisterBaseline(rotate, "quaternion", "zxzxz", Zxzxz(n), "scalar: Z-X-Z-X-Z");
-    RegisterBaseline(rotate, "quaternion", "blocks", Blocks(n), "scalar: block matrices");
-    RegisterBaseline(rotate, "one", "blocks", BlocksOnce(n), "scalar: block matrices once");
+    RegisterBaseline(rotate, "quaternion", "factored", Factored(n),
+                     "one for each: scalar, as the kernels");
+    RegisterBaseline(rotate, "quaternion", "zxzxz", Zxzxz(n), "one for each: scalar Z-X-Z-X-Z");
+    RegisterBaseline(rotate, "quaternion", "blocks", Blocks(n),
+                     "one for each: scalar block matrices");
+    RegisterBaseline(rotate, "one", "blocks", BlocksOnce(n), "one for all: scalar block matrices");
   }
   RegisterRotateDrift();
 }

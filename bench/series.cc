@@ -22,4 +22,8 @@ void RegisterSeries(const Series& series) {
   }
 }
 
+void DescribeSeries(const std::string& name, const std::string& text) {
+  benchmark::AddCustomContext("series " + name, text);
+}
+
 }  // namespace gaunt::bench

@@ -20,6 +20,9 @@ struct Series {
 
 void RegisterSeries(const Series& series);
 
+// What family/<series> shows, for charts: "title: conditions". Once for each.
+void DescribeSeries(const std::string& name, const std::string& text);
+
 }  // namespace gaunt::bench
 
 #endif  // GAUNT_BENCH_SERIES_H_

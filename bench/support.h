@@ -36,8 +36,7 @@ struct BatchBenchmark {
   size_t more_read = 0, more_written = 0;
   bool reads_output = false;
   Reference reference;  // of the first output; where given, errors are measured
-  // The method in words: `gaunt chart` draws rows that have one, so that all of them in a family do
-  // the same job.
+  // "job: method" in words. `gaunt chart` draws rows that have one, and compares those of a job.
   std::string label;
 };
 

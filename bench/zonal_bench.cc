@@ -32,7 +32,7 @@ BatchBenchmark RotateBenchmark(const std::string& op, const std::string& counted
     batch.reference = [n](const std::vector<const double*>& in, double* out) {
       zonal::RotateReference(static_cast<int>(n), in[0], in[1], out);
     };
-    batch.label = "each to its direction";
+    batch.label = "each to its direction: kernel";
   }
   return batch;
 }
@@ -59,7 +59,7 @@ void RegisterRotate(uint32_t n, uint32_t channels) {
   };
   engine.make = rotate.make;
   engine.reference = rotate.reference;
-  if (channels == 1) engine.label = "scalar: basis times bands";
+  if (channels == 1) engine.label = "each to its direction: scalar basis times bands";
   RegisterScalar(engine);
 }
 
