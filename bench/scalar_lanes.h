@@ -32,6 +32,13 @@ inline Scalar And(Scalar a, Scalar b) {
   std::memcpy(&a.value, &x, sizeof(x));
   return a;
 }
+inline Scalar TwiceReciprocalOfPower(Scalar a) {
+  uint32_t bits;
+  std::memcpy(&bits, &a.value, sizeof(bits));
+  bits = 0x7F800000u - bits;
+  std::memcpy(&a.value, &bits, sizeof(bits));
+  return a;
+}
 inline bool Lt(Scalar a, Scalar b) { return a.value < b.value; }
 inline bool Gt(Scalar a, Scalar b) { return a.value > b.value; }
 inline Scalar IfThenElse(bool which, Scalar a, Scalar b) { return which ? a : b; }

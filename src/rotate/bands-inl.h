@@ -69,7 +69,7 @@ struct AnglesFromQuaternion {
     ScaleQuaternion(k, x, y, z, w);
     // Of the half angles: w + i z = cos(beta/2) e^(i (alpha + gamma)/2), and x + i y = sin(beta/2)
     // e^(i (alpha - gamma)/2). Their squared lengths a and b add up to that of the quaternion, and
-    // to something between 1 and 16.
+    // to something between 4 and 64.
     const V a = MulAdd(w, w, Mul(z, z)), b = MulAdd(x, x, Mul(y, y));
     const V product = Mul(a, b);
     const V root = Sqrt(product);
@@ -93,7 +93,7 @@ struct AnglesFromQuaternion {
 
  private:
   // Below it, sin(beta) is 2e-12 or less.
-  static constexpr double kPoleProduct = 1e-24;
+  static constexpr double kPoleProduct = 1.6e-23;
 };
 
 // The angles of an orthonormal matrix R, after a mirror of y where its determinant is negative.

@@ -18,14 +18,14 @@ namespace gaunt::rotate::HWY_NAMESPACE {
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
 // A quaternion of any length, x y z w, times the power of two that brings its largest component
-// into [1, 2), which rounds nothing. If no component is a normal number, it is the identity.
+// into [2, 4), which rounds nothing. If no component is a normal number, it is the identity.
 template <class K, class V>
 GAUNT_LANES void ScaleQuaternion(const K& k, V& x, V& y, V& z, V& w) {
   const V largest = Max(Max(Abs(x), Abs(y)), Max(Abs(z), Abs(w)));
   // The exponent bits alone.
   const V power = And(largest, k(std::numeric_limits<double>::infinity()));
   const auto zero = Lt(power, k(kSmallestComponent));
-  const V scale = IfThenZeroElse(zero, Div(k(1.0), power));
+  const V scale = IfThenZeroElse(zero, TwiceReciprocalOfPower(power));
   x = Mul(scale, x), y = Mul(scale, y), z = Mul(scale, z);
   w = IfThenElse(zero, k(1.0), Mul(scale, w));
 }

@@ -53,6 +53,7 @@ inline Counted Sqrt(Counted) { return ++CountedOperations().div, Counted(); }
 inline Counted Neg(Counted) { return {}; }
 inline Counted Abs(Counted) { return {}; }
 inline Counted And(Counted, Counted) { return {}; }
+inline Counted TwiceReciprocalOfPower(Counted) { return {}; }
 inline Counted Min(Counted, Counted) { return {}; }
 inline Counted Max(Counted, Counted) { return {}; }
 inline CountedMask Lt(Counted, Counted) { return {}; }

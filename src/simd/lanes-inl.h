@@ -52,6 +52,14 @@ using hn::Sub;
 inline constexpr size_t kMaxLanes = 16;
 using LaneTag = hn::CappedTag<float, kMaxLanes>;
 
+// 2 / v of normal powers of two, without a division: the exponent bits of the two add up to a
+// constant.
+GAUNT_LANES hn::Vec<LaneTag> TwiceReciprocalOfPower(hn::Vec<LaneTag> v) {
+  const LaneTag d;
+  const hn::RebindToSigned<LaneTag> bits;
+  return hn::BitCast(d, hn::Sub(hn::Set(bits, 0x7F800000), hn::BitCast(bits, v)));
+}
+
 // Planes of a group of lanes in memory: reading, and writing. From(p) begins at plane p, so that a
 // loop over channels multiplies by the stride once per channel.
 struct PlanesIn {
