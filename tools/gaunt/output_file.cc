@@ -5,13 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "bad_input.h"
 
@@ -20,28 +17,6 @@ namespace gaunt::tool {
 namespace fs = std::filesystem;
 
 namespace {
-
-// What a signal that ends the program removes; nullptr: nothing. A copy, which a handler may read
-// at any time.
-std::atomic<char*> unfinished{nullptr};
-
-void RemoveAndEnd(int signal) {
-  if (const char* file = unfinished) unlink(file);
-  raise(signal);  // whose action is the default again
-}
-
-void RemoveOnSignals(const std::string& file) {
-  std::free(unfinished.exchange(strdup(file.c_str())));
-  signal(SIGXFSZ, SIG_IGN);  // a write that passes the limit fails instead
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGPIPE, SIGXCPU}) {
-    struct sigaction action = {};
-    sigaction(signal, nullptr, &action);
-    if (action.sa_handler != SIG_DFL) continue;  // such as ignored ones, of nohup
-    action.sa_handler = RemoveAndEnd;
-    action.sa_flags = SA_RESETHAND | SA_NODEFER;
-    sigaction(signal, &action, nullptr);
-  }
-}
 
 // Where a path leads, also if nothing is there yet.
 fs::path FollowLinks(fs::path path) {
@@ -94,7 +69,7 @@ OutputFile::OutputFile(const std::string& path) {
     const int file = open(written_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0600);
     if (file >= 0) {
       close(file);
-      RemoveOnSignals(written_);
+      undo_.emplace(Undo::Kind::kFile, written_);
       return;
     }
     if (errno != EEXIST) fail(std::strerror(errno));
@@ -104,7 +79,6 @@ OutputFile::OutputFile(const std::string& path) {
 OutputFile::~OutputFile() {
   std::error_code ignored;
   if (!in_place_ && !committed_) fs::remove(written_, ignored);
-  std::free(unfinished.exchange(nullptr));
 }
 
 void OutputFile::Commit() {
@@ -129,10 +103,12 @@ void PrepareFolder(const std::string& path) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw BadInput("cannot make " + path + ": " + error.message());
-  const fs::path trial = folder / ".gaunt-trial";
-  const bool writable = std::ofstream(trial).put('x').good();
-  fs::remove(trial, error);
-  if (!writable) throw BadInput("cannot write to " + path);
+  // A new file of a name that nobody can foresee.
+  std::string trial = (folder / ".gaunt-XXXXXX").string();
+  const int file = mkstemp(trial.data());
+  if (file < 0) throw BadInput("cannot write to " + path + ": " + std::strerror(errno));
+  close(file);
+  unlink(trial.c_str());
 }
 
 }  // namespace gaunt::tool

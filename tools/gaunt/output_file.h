@@ -3,13 +3,16 @@
 #ifndef GAUNT_TOOLS_GAUNT_OUTPUT_FILE_H_
 #define GAUNT_TOOLS_GAUNT_OUTPUT_FILE_H_
 
+#include <optional>
 #include <string>
+
+#include "undo.h"
 
 namespace gaunt::tool {
 
 // A new file beside the target, which takes its place when it is complete. Links are followed; what
-// is no regular file, such as a device or a pipe, is written itself. Nobody else can read the
-// new file before it is complete. One at a time: a signal that ends the program removes it.
+// is no regular file, such as a device or a pipe, is written itself. Nobody else can read the new
+// file before it is complete, and a signal that ends the program removes it.
 class OutputFile {
  public:
   // Throws BadInput if the file cannot be written.
@@ -28,6 +31,7 @@ class OutputFile {
   std::string written_;
   bool in_place_ = false;
   bool committed_ = false;
+  std::optional<Undo> undo_;
 };
 
 // Whether a path leads to the program's stdout, which then has no room for other text.

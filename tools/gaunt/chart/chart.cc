@@ -2,6 +2,7 @@
 // gaunt chart: draws a family's speed and accuracy.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -27,15 +28,14 @@ struct ChartOptions {
   int repetitions = 9;
 };
 
+constexpr char kLoopLayout[] = "interleaved";  // of scalar loops
+
 struct NamedFigure {
   std::string name;
   Figure figure;
 };
 
 Results GetResults(const ChartOptions& options) {
-  if (options.results.empty()) {
-    return RunBench(options.bench, options.selection, options.repetitions);
-  }
   const Results results = ReadResults({options.results});
   std::vector<std::string> names;
   for (const ResultRow& row : results.rows) names.push_back(row.name);
@@ -46,11 +46,15 @@ Results GetResults(const ChartOptions& options) {
 std::vector<NamedFigure> MakeFigures(const Results& results, const Selection& selection) {
   const std::string& family = selection.family;
   const std::vector<Mark> marks = SelectMarks(results, selection);
-  const std::string conditions = fmt::format("{} · {} layout · {} items · medians",
-                                             results.compiler, selection.layout, selection.items);
+  const bool loops_differ =
+      selection.layout != kLoopLayout &&
+      std::any_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.is_baseline(); });
+  const std::string conditions = fmt::format(
+      "{} · {} layout{} · {} items · medians", results.compiler, selection.layout,
+      loops_differ ? fmt::format(" (scalar loops: {})", kLoopLayout) : "", selection.items);
   std::vector<Mark> with_error, with_multiplies;
   for (const Mark& mark : marks) {
-    if (mark.error && *mark.error > 0.0) with_error.push_back(mark);
+    if (mark.error) with_error.push_back(mark);
     if (mark.multiplies) with_multiplies.push_back(mark);
   }
   std::vector<NamedFigure> figures;
@@ -82,10 +86,22 @@ void Copy(const std::string& from, const std::string& to) {
 void RunChart(const ChartOptions& options) {
   // Before any work: they fail.
   const Gnuplot gnuplot;
-  PrepareFolder(options.out);
-  const std::vector<NamedFigure> figures = MakeFigures(GetResults(options), options.selection);
+  const Selection& selection = options.selection;
+  if (selection.first_order > selection.last_order) {
+    throw BadInput(fmt::format("--orders: the first, {}, is above the last, {}",
+                               selection.first_order, selection.last_order));
+  }
+  std::vector<NamedFigure> figures;
+  if (!options.results.empty()) {
+    figures = MakeFigures(GetResults(options), selection);
+    PrepareFolder(options.out);
+  } else {
+    const BenchRun bench(options.bench, selection);
+    PrepareFolder(options.out);
+    figures = MakeFigures(bench.Run(options.repetitions), selection);
+  }
   // All of them are drawn before the first is in its place.
-  const TemporaryFolder drawn;
+  TemporaryFolder drawn;
   for (const NamedFigure& figure : figures) {
     gnuplot.Draw(figure.figure, drawn.File(figure.name + ".svg"), drawn.File(figure.name + ".png"));
   }
@@ -104,7 +120,9 @@ void RunChart(const ChartOptions& options) {
 
 void AddChart(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "chart", "Draw a family's time against error and operations, from its benchmarks");
+      "chart",
+      "Draw a family's time against error and operations, from its benchmarks. These take a while: "
+      "of rotate some 100 s on two cores");
   const auto o = std::make_shared<ChartOptions>();
   command->add_option("family", o->selection.family, "Family of functions, such as rotate")
       ->required();
@@ -122,7 +140,7 @@ void AddChart(CLI::App& app) {
   command->add_option("--items", o->selection.items, "Items of a call")
       ->check(CLI::IsMember({1000, 1024, 1 << 20}))
       ->capture_default_str();
-  command->add_option("--orders", o->orders, "First and last order of the timings")
+  command->add_option("--orders", o->orders, "First and last order of the timings; 1 is a copy of one number")
       ->expected(2)
       ->check(CLI::Range(1, 64))
       ->capture_default_str();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "chart/charts.h"
@@ -9,46 +11,62 @@
 namespace gaunt::tool {
 namespace {
 
-// How methods and targets look.
-struct Keys {
-  std::vector<std::string> targets, methods, baselines, colours;
+constexpr Dash kFrontDashes[] = {Dash::kSolid, Dash::kDashed, Dash::kDashedDotted};
+const PathStyle kRoundingStyle = {"#666666", 1.0, Dash::kDotted};
 
-  explicit Keys(const std::vector<Mark>& marks) {
-    std::vector<Mark> kernels, loops;
-    for (const Mark& mark : marks) (mark.is_baseline() ? loops : kernels).push_back(mark);
-    targets = Distinct(kernels, &Mark::target);
-    methods = Distinct(kernels, &Mark::method);
-    baselines = Distinct(loops, &Mark::method);
-    colours = Colours(targets.size());
-  }
-
-  MarkStyle Style(const Mark& mark) const {
-    if (mark.is_baseline()) return {IndexOf(baselines, mark.method), true, kGrey, 1.0};
-    return {IndexOf(methods, mark.method), false, colours[IndexOf(targets, mark.target)], 1.0};
-  }
+// What is compared with one another.
+struct Job {
+  std::string name;
+  std::vector<std::string> kernels, loops;  // methods
+  size_t first_shape;
+  PathStyle front;
 };
 
-const PathStyle kFrontStyle = {"#444444", 1.2};
-const PathStyle kRoundingStyle = {"#666666", 1.0, Dash::kDotted};
-PathStyle LimitStyle(const std::string& colour) { return {colour, 1.0, Dash::kDashed}; }
+std::vector<Job> FindJobs(const std::vector<Mark>& marks) {
+  std::vector<Job> jobs;
+  size_t shape = 0;
+  for (const std::string& name : Distinct(marks, &Mark::job)) {
+    std::vector<Mark> kernels, loops;
+    for (const Mark& mark : marks) {
+      if (mark.job == name) (mark.is_baseline() ? loops : kernels).push_back(mark);
+    }
+    const Dash dash = kFrontDashes[jobs.size() % std::size(kFrontDashes)];
+    jobs.push_back({name, Distinct(kernels, &Mark::method), Distinct(loops, &Mark::method), shape,
+                    {"#444444", 1.2, dash}});
+    // Scalar loops are the hollow shapes of their job.
+    shape += std::max(jobs.back().kernels.size(), jobs.back().loops.size());
+  }
+  return jobs;
+}
 
-Legend MakeLegend(const Keys& keys, bool has_rounding) {
+MarkStyle KernelStyle(const Job& job, const std::string& method, const std::string& colour) {
+  return {job.first_shape + IndexOf(job.kernels, method), false, colour, 1.0};
+}
+MarkStyle LoopStyle(const Job& job, const std::string& method) {
+  return {job.first_shape + IndexOf(job.loops, method), true, kGrey, 1.0};
+}
+
+Legend MakeLegend(const std::vector<Mark>& marks, const std::vector<Job>& jobs) {
   Legend legend;
-  legend.Heading("SIMD target");
-  for (size_t k = 0; k < keys.targets.size(); ++k) {
-    legend.Mark({1, false, keys.colours[k], 1.0}, keys.targets[k]);
+  const std::vector<std::string> targets = Targets(marks);
+  if (!targets.empty()) legend.Heading("SIMD target");
+  for (const std::string& target : targets) legend.Swatch(TargetColour(target), target);
+  for (const Job& job : jobs) {
+    legend.Heading(job.name);
+    for (const std::string& method : job.kernels) {
+      legend.Mark(KernelStyle(job, method, kInk), method);
+    }
+    for (const std::string& method : job.loops) legend.Mark(LoopStyle(job, method), method);
+    if (!job.kernels.empty()) legend.Line(job.front, "Pareto front");
   }
-  legend.Heading("method");
-  for (size_t k = 0; k < keys.methods.size(); ++k) {
-    legend.Mark({k, false, kInk, 1.0}, keys.methods[k]);
-  }
-  for (size_t k = 0; k < keys.baselines.size(); ++k) {
-    legend.Mark({k, true, kGrey, 1.0}, keys.baselines[k]);
-  }
-  legend.Heading("lines");
-  legend.Line(kFrontStyle, "Pareto front");
-  legend.Line(LimitStyle(kInk), "limit of a target");
-  if (has_rounding) legend.Line(kRoundingStyle, "rounding alone");
+  const auto any = [&](std::optional<double> Mark::*member) {
+    return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
+      return !mark.is_baseline() && mark.*member;
+    });
+  };
+  if (any(&Mark::limit) || any(&Mark::rounding)) legend.Heading("bounds");
+  if (any(&Mark::limit)) legend.Whisker(kInk, "down to the machine's limit");
+  if (any(&Mark::rounding)) legend.Line(kRoundingStyle, "rounding alone");
   return legend;
 }
 
@@ -65,63 +83,85 @@ std::vector<Point> Steps(const std::vector<Point>& front, const Axis& x, const A
   return steps;
 }
 
-void DrawPanel(const std::vector<Mark>& marks, const Keys& keys, Panel& panel) {
+// The later of marks that coincide are smaller, so that all of them show.
+double Size(const std::vector<Point>& before, const Point& point, const Panel& panel) {
+  constexpr double kWidth = 200, kHeight = 250, kClose = 4;  // about, in pixels
+  double size = 1.0;
+  for (const Point& other : before) {
+    const double x = kWidth * (panel.x.Share(point.x) - panel.x.Share(other.x));
+    const double y = kHeight * (panel.y.Share(point.y) - panel.y.Share(other.y));
+    if (std::hypot(x, y) < kClose) size = std::max(0.35, 0.65 * size);
+  }
+  return size;
+}
+
+void DrawPanel(const std::vector<Mark>& marks, const std::vector<Job>& jobs, Panel& panel) {
   Layer& layer = panel.layer;
-  std::map<std::string, double> limits;
-  std::vector<double> rounding;
-  std::vector<Point> points;
+  std::optional<double> rounding;
   for (const Mark& mark : marks) {
-    points.push_back({mark.ns, *mark.error});
-    if (mark.limit) {
-      const auto [limit, is_new] = limits.try_emplace(mark.target, *mark.limit);
-      limit->second = std::min(limit->second, *mark.limit);
+    if (mark.rounding) rounding = std::min(rounding.value_or(*mark.rounding), *mark.rounding);
+  }
+  if (rounding) {
+    layer.Path({{panel.x.from(), *rounding}, {panel.x.to(), *rounding}}, kRoundingStyle);
+  }
+  for (const Job& job : jobs) {
+    std::vector<Point> points;
+    bool has_kernel = false;
+    for (const Mark& mark : marks) {
+      if (mark.job != job.name) continue;
+      points.push_back({mark.ns, *mark.error});
+      has_kernel |= !mark.is_baseline();
     }
-    if (mark.rounding && *mark.rounding > 0.0) rounding.push_back(*mark.rounding);
+    if (has_kernel) layer.Path(Steps(ParetoFront(points), panel.x, panel.y), job.front);
   }
-  for (const auto& [target, limit] : limits) {
-    layer.Path({{limit, panel.y.from()}, {limit, panel.y.to()}},
-               LimitStyle(keys.colours[IndexOf(keys.targets, target)]));
+  for (const Mark& mark : marks) {
+    if (mark.is_baseline() || !mark.limit) continue;
+    const PathStyle style = {TargetColour(mark.target), kWhiskerWidth};
+    const double y = *mark.error;
+    layer.Path({{*mark.limit, y}, {mark.ns, y}}, style);
+    layer.Path({{*mark.limit, panel.y.Moved(y, -0.018)}, {*mark.limit, panel.y.Moved(y, 0.018)}},
+               style);
   }
-  if (!rounding.empty()) {
-    const double least = *std::min_element(rounding.begin(), rounding.end());
-    layer.Path({{panel.x.from(), least}, {panel.x.to(), least}}, kRoundingStyle);
-  }
-  layer.Path(Steps(ParetoFront(points), panel.x, panel.y), kFrontStyle);
   // The best target last, over the others.
-  for (size_t k = marks.size(); k-- > 0;) layer.Marks({points[k]}, keys.Style(marks[k]));
+  std::vector<Point> drawn;
+  for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
+    const Job& job = *std::find_if(jobs.begin(), jobs.end(),
+                                   [&](const Job& candidate) { return candidate.name == mark->job; });
+    MarkStyle style = mark->is_baseline()
+                          ? LoopStyle(job, mark->method)
+                          : KernelStyle(job, mark->method, TargetColour(mark->target));
+    const Point point = {mark->ns, *mark->error};
+    style.size = Size(drawn, point, panel);
+    layer.Marks({point}, style);
+    drawn.push_back(point);
+  }
 }
 
 }  // namespace
 
 Figure ErrorChart(const std::string& family, const std::string& conditions,
                   const std::vector<Mark>& marks) {
-  const Keys keys(marks);
+  const std::vector<Job> jobs = FindJobs(marks);
   std::vector<double> times, errors;
-  bool has_rounding = false;
   for (const Mark& mark : marks) {
     times.push_back(mark.ns);
     if (mark.limit) times.push_back(*mark.limit);
     errors.push_back(*mark.error);
-    if (mark.rounding && *mark.rounding > 0.0) {
-      has_rounding = true;
-      errors.push_back(*mark.rounding);
-    }
+    if (mark.rounding) errors.push_back(*mark.rounding);
   }
   const Axis x(times), y(errors, Axis::Format::kPowers);
-  std::vector<int> orders = Distinct(marks, &Mark::order);
-  std::sort(orders.begin(), orders.end());
   std::vector<Panel> panels;
-  for (const int order : orders) {
+  for (const int order : Distinct(marks, &Mark::order)) {
     std::vector<Mark> of_order;
     for (const Mark& mark : marks) {
       if (mark.order == order) of_order.push_back(mark);
     }
     panels.push_back({fmt::format("order {}", order), {}, x, y, true, true, {}});
-    DrawPanel(of_order, keys, panels.back());
+    DrawPanel(of_order, jobs, panels.back());
   }
   return SmallMultiples(
       {family + ": time against error", conditions, "ns per item", "largest absolute error"},
-      std::move(panels), MakeLegend(keys, has_rounding));
+      std::move(panels), MakeLegend(marks, jobs));
 }
 
 }  // namespace gaunt::tool

@@ -7,19 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace gaunt::tool {
 namespace {
-
-// In single quotes nothing is special to gnuplot but the quote.
-std::string Quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'') quoted += '\'';
-    quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return quoted + "'";
-}
 
 // 2×10⁻⁷
 std::string Power(int digit, int exponent) {
@@ -32,12 +23,16 @@ std::string Power(int digit, int exponent) {
   return (digit == 1 ? "10" : fmt::format("{}×10", digit)) + raised;
 }
 
-// At decades, and at 2 and 5 between where they are few.
+// At decades, or only every so many of them; with digits between where they are few.
 std::vector<Tick> Ticks(double from, double to, Axis::Format format) {
-  const auto decades = [&](const std::vector<int>& digits) {
+  constexpr int kMost = 8;
+  const int first = static_cast<int>(std::floor(std::log10(from)));
+  const int last = static_cast<int>(std::ceil(std::log10(to)));
+  const auto at_digits = [&](const std::vector<int>& digits) {
     std::vector<Tick> ticks;
-    for (int exponent = static_cast<int>(std::floor(std::log10(from))) - 1;
-         std::pow(10.0, exponent) <= to; ++exponent) {
+    const int step = (last - first) / kMost + 1;
+    for (int exponent = first; exponent <= last; ++exponent) {
+      if (exponent % step != 0) continue;
       for (const int digit : digits) {
         const double at = digit * std::pow(10.0, exponent);
         if (at < from || at > to) continue;
@@ -47,8 +42,9 @@ std::vector<Tick> Ticks(double from, double to, Axis::Format format) {
     }
     return ticks;
   };
-  const std::vector<Tick> few = decades({1});
-  return few.size() > 2 ? few : decades({1, 2, 5});
+  if (format == Axis::Format::kSteps && last - first <= kMost) return at_digits({1, 3});
+  const std::vector<Tick> few = at_digits({1});
+  return few.size() > 2 ? few : at_digits({1, 2, 5});
 }
 
 std::string PanelScript(const Figure& figure, const Panel& panel, const std::string& name) {
@@ -81,6 +77,37 @@ std::string PanelScript(const Figure& figure, const Panel& panel, const std::str
 
 }  // namespace
 
+// What could be special to gnuplot becomes its octal number; so does a digit after one.
+std::string Quoted(const std::string& text) {
+  std::string quoted = "\"";
+  bool octal = false;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < ' ') {
+      quoted += ' ';
+      octal = false;
+    } else {
+      const bool digit = c >= '0' && c <= '7';
+      octal = std::strchr("\"\\`@${}'", c) != nullptr || (octal && digit);
+      quoted += octal ? fmt::format("\\{:03o}", byte) : std::string(1, c);
+    }
+  }
+  return quoted + "\"";
+}
+
+std::string Shortened(const std::string& text, double width, int size) {
+  const auto room = static_cast<size_t>(std::max(1.0, width / (0.54 * size)));
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+  if (static_cast<size_t>(std::count_if(text.begin(), text.end(), begins)) <= room) return text;
+  std::string kept;
+  size_t characters = 0;
+  for (const char c : text) {
+    if (begins(c) && ++characters == room) break;
+    kept += c;
+  }
+  return kept + "…";
+}
+
 std::vector<std::string> Colours(size_t count) {
   static constexpr double kRamp[][3] = {
       {23, 21, 92}, {134, 31, 134}, {207, 53, 78}, {232, 119, 34}, {220, 174, 29}};
@@ -111,50 +138,57 @@ void Layer::Text(Point at, const std::string& text, const TextStyle& style) {
 
 void Layer::Marks(const std::vector<Point>& at, const MarkStyle& style) {
   if (at.empty()) return;
-  static constexpr int kTypes[kShapes] = {7, 5, 9, 13, 11, 15};
-  data_ += fmt::format("${{NAME}}_{} << END\n", blocks_);
-  for (const Point& point : at) data_ += fmt::format("{:.9g} {:.9g}\n", point.x, point.y);
-  data_ += "END\n";
+  static constexpr int kTypes[kShapes] = {7, 5, 13, 9, 11, 15};
   const size_t shape = style.shape % kShapes;
   const int type = kTypes[shape] - (style.hollow ? 1 : 0);
-  const auto draw = [&](const std::string& colour, double size) {
-    clauses_ += fmt::format(
-        ", ${{NAME}}_{} using 1:2 with points pointtype {} pointsize {:.3g}*shape{} linewidth 1.2 "
-        "linecolor rgb '{}'",
-        blocks_, type, size, shape, colour);
+  const auto draw = [&](int pointtype, const std::string& colour, double size) {
+    return fmt::format(
+        "points pointtype {} pointsize {:.3g}*shape{} linewidth 1.2 linecolor rgb '{}'", pointtype,
+        size, shape, colour);
   };
   // A rim keeps marks apart that lie on one another.
-  if (!style.hollow) draw("#ffffff", style.size * 1.3);
-  draw(style.colour, style.size);
-  ++blocks_;
+  std::vector<std::string> how;
+  if (!style.hollow) how.push_back(draw(type, "#ffffff", style.size * 1.3));
+  how.push_back(draw(type, style.colour, style.size));
+  plots_.push_back({at, how});
 }
 
 void Layer::Path(const std::vector<Point>& through, const PathStyle& style) {
   if (through.empty()) return;
-  static const std::array<const char*, 3> kDashes = {"solid", "(10,7)", "(2,5)"};
-  data_ += fmt::format("${{NAME}}_{} << END\n", blocks_);
-  for (const Point& point : through) data_ += fmt::format("{:.9g} {:.9g}\n", point.x, point.y);
-  data_ += "END\n";
-  clauses_ += fmt::format(
-      ", ${{NAME}}_{} using 1:2 with lines linewidth {:.3g} linecolor rgb '{}' dashtype {}",
-      blocks_, style.width, style.colour, kDashes[static_cast<size_t>(style.dash)]);
-  ++blocks_;
+  static const std::array<const char*, 4> kDashes = {"solid", "(10,7)", "(2,5)", "(10,5,2,5)"};
+  plots_.push_back({through,
+                    {fmt::format("lines linewidth {:.3g} linecolor rgb '{}' dashtype {}",
+                                 style.width, style.colour,
+                                 kDashes[static_cast<size_t>(style.dash)])}});
 }
 
 std::string Layer::Script(const std::string& name) const {
-  std::string script = data_ + labels_ + "plot NaN notitle" + clauses_ + "\n";
-  const std::string hole = "${NAME}";
-  for (size_t at; (at = script.find(hole)) != std::string::npos;) {
-    script.replace(at, hole.size(), "$" + name);
+  std::string script = labels_, command = "plot NaN notitle";
+  for (size_t k = 0; k < plots_.size(); ++k) {
+    script += fmt::format("${}_{} << END\n", name, k);
+    for (const Point& point : plots_[k].points) {
+      script += fmt::format("{:.9g} {:.9g}\n", point.x, point.y);
+    }
+    script += "END\n";
+    for (const std::string& how : plots_[k].how) {
+      command += fmt::format(", ${}_{} using 1:2 with {}", name, k, how);
+    }
   }
-  return script;
+  return script + command + "\n";
 }
 
 Axis::Axis(const std::vector<double>& values, Format format) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  constexpr double kLeast = 1e-40, kMost = 1e40;
+  double least = kMost, most = kLeast;
+  for (const double value : values) {
+    if (!(value >= kLeast && value <= kMost)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (least > most) least = most = 1.0;
   // Room for marks at the ends, and never less than a decade.
-  const double middle = std::sqrt(*least * *most);
-  const double half = std::max(1.15 * std::pow(*most / *least, 0.53), 3.2);
+  const double middle = std::sqrt(least * most);
+  const double half = std::max(1.15 * std::pow(most / least, 0.53), 3.2);
   from_ = middle / half;
   to_ = middle * half;
   // Labels at the very ends would run into the next panel.

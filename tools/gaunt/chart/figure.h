@@ -14,6 +14,12 @@ namespace gaunt::tool {
 
 inline constexpr char kInk[] = "#222222", kGrey[] = "#777777";
 
+// A text as gnuplot reads it, whatever is in it; without control characters.
+std::string Quoted(const std::string& text);
+
+// With an ellipsis if it could be wider, in pixels.
+std::string Shortened(const std::string& text, double width, int size);
+
 // Colours of things that have an order, dark to light: apart for every kind of sight, and in grey.
 std::vector<std::string> Colours(size_t count);
 
@@ -26,14 +32,14 @@ struct TextStyle {
 };
 
 struct MarkStyle {
-  size_t shape = 0;  // circle, square, triangle, diamond, triangle down, pentagon, and again
+  size_t shape = 0;  // circle, square, diamond, triangle, triangle down, pentagon, and again
   bool hollow = false;
   std::string colour = kInk;
   double size = 1.0;
 };
 inline constexpr size_t kShapes = 6;
 
-enum class Dash { kSolid, kDashed, kDotted };
+enum class Dash { kSolid, kDashed, kDotted, kDashedDotted };
 
 struct PathStyle {
   std::string colour = kInk;
@@ -52,8 +58,12 @@ class Layer {
   std::string Script(const std::string& name) const;
 
  private:
-  std::string labels_, data_, clauses_;
-  int blocks_ = 0;
+  struct Plot {
+    std::vector<Point> points;
+    std::vector<std::string> how;  // over one another
+  };
+  std::string labels_;
+  std::vector<Plot> plots_;
 };
 
 struct Tick {
@@ -64,8 +74,9 @@ struct Tick {
 // A logarithmic axis with a margin around the values.
 class Axis {
  public:
-  enum class Format { kPlain, kPowers };
+  enum class Format { kPlain, kPowers, kSteps };  // kSteps: 1, 3, 10, 30
 
+  // Of values that are finite and positive, and neither tiny nor huge.
   explicit Axis(const std::vector<double>& values, Format format = Format::kPlain);
 
   double from() const { return from_; }

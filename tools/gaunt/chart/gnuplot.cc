@@ -26,11 +26,11 @@ Gnuplot::Gnuplot() : program_(FindProgram("gnuplot")) {
 }
 
 void Gnuplot::Draw(const Figure& figure, const std::string& svg, const std::string& png) const {
-  const TemporaryFolder folder;
+  TemporaryFolder folder;
   const std::string body = figure.Script();
   const auto draw = [&](const std::string& terminal, const std::string& to) {
     std::ofstream script(folder.File("script"), std::ios::binary);
-    script << terminal << "\nset output '" << to << "'\n" << body << "unset output\n";
+    script << terminal << "\nset output " << Quoted(to) << "\n" << body << "unset output\n";
     script.close();
     if (!script) throw std::runtime_error("cannot write " + folder.File("script"));
     std::string first;
@@ -43,12 +43,12 @@ void Gnuplot::Draw(const Figure& figure, const std::string& svg, const std::stri
   // area in both.
   const std::string style = "noenhanced font 'sans-serif,12' background rgb 'white'";
   draw(fmt::format("set terminal svg size {},{} fixed {}\n{}", figure.width, figure.height, style,
-                   ShapeSizes({0.70, 0.62, 0.73, 0.62, 0.73, 0.61})),
+                   ShapeSizes({0.70, 0.62, 0.62, 0.73, 0.73, 0.61})),
        svg);
   draw(fmt::format("set terminal pngcairo size {},{} {} fontscale 1.5 linewidth 2 pointscale 2 "
                    "dashlength 1.7\n{}",
                    2 * figure.width, 2 * figure.height, style,
-                   ShapeSizes({1.13, 0.97, 1.37, 1.38, 1.37, 1.28})),
+                   ShapeSizes({1.13, 0.97, 1.38, 1.37, 1.37, 1.28})),
        png);
 }
 

@@ -13,8 +13,7 @@ class Gnuplot {
  public:
   Gnuplot();  // throws BadInput if there is none
 
-  // The same picture as SVG and as PNG of twice the pixels, to paths without quotes. Throws
-  // std::runtime_error.
+  // The same picture as SVG and as PNG of twice the pixels. Throws std::runtime_error.
   void Draw(const Figure& figure, const std::string& svg, const std::string& png) const;
 
  private:

@@ -3,80 +3,129 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
-#include <regex>
+#include <map>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "bad_input.h"
 
 namespace gaunt::tool {
 namespace {
 
+// Of what a logarithmic axis can show: nothing else is a time or an error.
 std::optional<double> Counter(const ResultRow& row, const std::string& key) {
   const auto found = row.counters.find(key);
-  if (found == row.counters.end()) return std::nullopt;
+  if (found == row.counters.end() || !(found->second >= 1e-30 && found->second <= 1e30)) {
+    return std::nullopt;
+  }
   return found->second;
 }
 
-// Highway's order, in which better targets come first.
-int Rank(const std::string& target) {
-  for (int bit = 0; bit < 63; ++bit) {
-    if (target == hwy::TargetName(int64_t{1} << bit)) return bit;
-  }
-  return 63;
+std::vector<std::string> Split(const std::string& text, char at) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) c == at ? void(parts.emplace_back()) : parts.back().push_back(c);
+  return parts;
+}
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+bool IsLower(char c) { return c >= 'a' && c <= 'z'; }
+bool IsFamily(char c) { return IsLower(c) || IsDigit(c); }
+bool IsWord(char c) { return IsFamily(c) || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+bool IsAll(const std::string& text, bool (*is)(char)) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is);
+}
+bool IsNumber(const std::string& text, size_t digits) {
+  return text.size() <= digits && IsAll(text, IsDigit);
+}
+
+// "first: rest"; a text without it is both.
+std::pair<std::string, std::string> SplitLabel(const std::string& text) {
+  const size_t colon = text.find(": ");
+  if (colon == std::string::npos) return {text, text};
+  return {text.substr(0, colon), text.substr(colon + 2)};
 }
 
 }  // namespace
 
 std::optional<MarkName> ParseMarkName(const std::string& name) {
-  static const std::regex kName(
-      "([a-z0-9]+)/(\\w+)/n([0-9]{1,2})/([a-z]+)/([0-9]{1,9})/([A-Za-z0-9_]+)");
-  std::smatch part;
-  if (!std::regex_match(name, part, kName)) return std::nullopt;
-  return MarkName{part[1], part[2], part[4], part[6], std::stoi(part[3]), std::stoul(part[5])};
+  const std::vector<std::string> part = Split(name, '/');
+  if (part.size() != 6 || !IsAll(part[0], IsFamily) || !IsAll(part[1], IsWord) || part[2].empty() ||
+      part[2][0] != 'n' || !IsNumber(part[2].substr(1), 2) || !IsAll(part[3], IsLower) ||
+      !IsNumber(part[4], 9) || !IsAll(part[5], IsWord)) {
+    return std::nullopt;
+  }
+  return MarkName{part[0], part[1], part[3], part[5], std::stoi(part[2].substr(1)),
+                  std::stoul(part[4])};
 }
 
 std::optional<SeriesName> ParseSeriesName(const std::string& name) {
-  static const std::regex kName("([a-z0-9]+)/(\\w+)/(\\w+)/[0-9]+");
-  std::smatch part;
-  if (!std::regex_match(name, part, kName)) return std::nullopt;
-  return SeriesName{part[1], part[2], part[3]};
+  const std::vector<std::string> part = Split(name, '/');
+  if (part.size() != 4 || !IsAll(part[0], IsFamily) || !IsAll(part[1], IsWord) ||
+      !IsAll(part[2], IsWord) || !IsAll(part[3], IsDigit)) {
+    return std::nullopt;
+  }
+  return SeriesName{part[0], part[1], part[2]};
 }
 
 bool Selection::Takes(const MarkName& name) const {
   return name.family == family && name.items == items && name.order >= first_order &&
-         name.order <= last_order;
+         name.order <= last_order && (name.is_baseline() || name.layout == layout);
+}
+
+void CheckSelection(const std::vector<MarkName>& kernels, const Selection& selection) {
+  std::map<std::string, std::set<size_t>> sizes;
+  std::set<int> orders;
+  for (const MarkName& name : kernels) {
+    if (selection.Takes(name)) return;
+    sizes[name.layout].insert(name.items);
+    orders.insert(name.order);
+  }
+  if (kernels.empty()) return;
+  std::vector<std::string> there;
+  for (const auto& [layout, items] : sizes) {
+    there.push_back(fmt::format("{} with {} items", layout, fmt::join(items, ", ")));
+  }
+  throw BadInput(fmt::format(
+      "no kernel of {} is {} with {} items and of orders {} to {}: there are {}, of orders {} to {}",
+      selection.family, selection.layout, selection.items, selection.first_order,
+      selection.last_order, fmt::join(there, "; "), *orders.begin(), *orders.rbegin()));
 }
 
 std::vector<Mark> SelectMarks(const Results& results, const Selection& selection) {
   std::vector<Mark> marks;
+  std::vector<MarkName> kernels;
   for (const ResultRow& row : results.rows) {
     const std::optional<MarkName> name = ParseMarkName(row.name);
+    if (!name || name->family != selection.family || row.label.empty()) continue;
+    if (!name->is_baseline()) kernels.push_back(*name);
     const std::optional<double> ns = Counter(row, "ns_item");
-    if (!name || !selection.Takes(*name) || row.label.empty() || !ns || *ns <= 0.0) continue;
+    if (!selection.Takes(*name) || !ns) continue;
+    const auto [job, method] = SplitLabel(row.label);
     Mark mark = {row.label,
+                 job,
+                 method,
                  name->order,
-                 name->target,
+                 name->is_baseline() ? "" : name->target,
                  *ns,
                  Counter(row, "error"),
                  Counter(row, "error_rounding"),
                  Counter(row, "limit_ns"),
                  std::nullopt,
                  Counter(row, "ns_multiply")};
-    const std::optional<double> mul = Counter(row, "mul"), fma = Counter(row, "fma");
-    if (mul && fma && *mul + *fma > 0.0) mark.multiplies = *mul + *fma;
-    // Scalar loops have neither a limit nor another layout.
-    if (!mark.limit) {
-      mark.target.clear();
-    } else if (name->layout != selection.layout) {
-      continue;
-    }
+    const double multiplies = Counter(row, "mul").value_or(0) + Counter(row, "fma").value_or(0);
+    if (multiplies > 0.0 && !name->is_baseline()) mark.multiplies = multiplies;
     marks.push_back(mark);
   }
-  std::stable_sort(marks.begin(), marks.end(),
-                   [](const Mark& a, const Mark& b) { return Rank(a.target) < Rank(b.target); });
+  CheckSelection(kernels, selection);
+  std::sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) {
+    if (a.is_baseline() != b.is_baseline()) return b.is_baseline();
+    if (a.target != b.target) return TargetBefore(a.target, b.target);
+    return std::tie(a.label, a.order, a.ns) < std::tie(b.label, b.order, b.ns);
+  });
   return marks;
 }
 
@@ -89,7 +138,7 @@ std::vector<SeriesData> SelectSeries(const Results& results, const std::string& 
   for (const ResultRow& row : results.rows) {
     const std::optional<SeriesName> name = ParseSeriesName(row.name);
     const std::optional<double> x = Counter(row, "x"), error = Counter(row, "error");
-    if (!name || name->family != family || !x || *x <= 0.0 || !error) continue;
+    if (!name || name->family != family || !x || !error) continue;
     SeriesData& series = entry(all, [&](const SeriesData& s) { return s.name == name->series; });
     series.name = name->series;
     const std::string label = row.label.empty() ? name->line : row.label;
@@ -98,6 +147,13 @@ std::vector<SeriesData> SelectSeries(const Results& results, const std::string& 
     line.points.push_back({*x, *error});
   }
   for (SeriesData& series : all) {
+    const auto described = results.descriptions.find(family + "/" + series.name);
+    series.title = series.name;
+    if (described != results.descriptions.end()) {
+      std::tie(series.title, series.conditions) = SplitLabel(described->second);
+    }
+    std::sort(series.lines.begin(), series.lines.end(),
+              [](const SeriesLine& a, const SeriesLine& b) { return a.label < b.label; });
     for (SeriesLine& line : series.lines) {
       std::sort(line.points.begin(), line.points.end(),
                 [](const Point& a, const Point& b) { return a.x < b.x; });

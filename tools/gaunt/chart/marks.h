@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "chart/results.h"
+#include "chart/targets.h"
 
 namespace gaunt::tool {
 
@@ -16,6 +17,8 @@ struct MarkName {
   std::string family, op, layout, target;
   int order;
   size_t items;
+
+  bool is_baseline() const { return !IsTarget(target); }
 };
 std::optional<MarkName> ParseMarkName(const std::string& name);
 
@@ -32,11 +35,14 @@ struct Selection {
   size_t items = 1024;
   int first_order = 2, last_order = 8;
 
-  bool Takes(const MarkName& name) const;  // in any layout
+  // Kernels in the layout; scalar loops have only one.
+  bool Takes(const MarkName& name) const;
 };
 
 // A method at an order on a target, or a scalar loop.
 struct Mark {
+  std::string label;   // "job: method", or its only method alone
+  std::string job;     // marks of a job can be compared
   std::string method;  // in words
   int order;
   std::string target;  // empty: a baseline
@@ -51,7 +57,8 @@ struct Mark {
 };
 
 // Those of the selection that have a method's name: kernels in the layout, and the scalar loops.
-// Targets come best first.
+// Best targets first, then by label and order. Throws BadInput if the family has kernels, but none
+// of the selection.
 std::vector<Mark> SelectMarks(const Results& results, const Selection& selection);
 
 struct Point {
@@ -64,13 +71,17 @@ struct SeriesLine {
 };
 struct SeriesData {
   std::string name;
-  std::vector<SeriesLine> lines;
+  std::vector<SeriesLine> lines;  // by label
+  std::string title, conditions;  // in words
 };
 std::vector<SeriesData> SelectSeries(const Results& results, const std::string& family);
 
 // Throws BadInput if no benchmark of `source` is of the family.
 void CheckFamily(const std::vector<std::string>& names, const std::string& family,
                  const std::string& source);
+
+// Throws BadInput with the layouts and sizes that there are, if none of the kernels is selected.
+void CheckSelection(const std::vector<MarkName>& kernels, const Selection& selection);
 
 // The points than which none is better in both, by rising x.
 std::vector<Point> ParetoFront(std::vector<Point> points);

@@ -11,13 +11,10 @@ namespace {
 
 PathStyle RateStyle(const std::string& colour) { return {colour, 1.0, Dash::kDashed}; }
 
-Legend MakeLegend(const std::vector<std::string>& targets,
-                  const std::vector<std::string>& colours) {
+Legend MakeLegend(const std::vector<std::string>& targets) {
   Legend legend;
   legend.Heading("SIMD target");
-  for (size_t k = 0; k < targets.size(); ++k) {
-    legend.Mark({0, false, colours[k], 0.8}, targets[k]);
-  }
+  for (const std::string& target : targets) legend.Swatch(TargetColour(target), target);
   legend.Heading("lines");
   legend.Line({kInk, 1.4}, "measured, order beside");
   legend.Line(RateStyle(kInk), "at the pipes' rate");
@@ -28,8 +25,7 @@ Legend MakeLegend(const std::vector<std::string>& targets,
 
 Figure OperationsChart(const std::string& family, const std::string& conditions,
                        const std::vector<Mark>& marks) {
-  const std::vector<std::string> targets = Distinct(marks, &Mark::target);
-  const std::vector<std::string> colours = Colours(targets.size());
+  const std::vector<std::string> targets = Targets(marks);
   std::vector<double> multiplies, times;
   for (const Mark& mark : marks) {
     multiplies.push_back(*mark.multiplies);
@@ -39,14 +35,15 @@ Figure OperationsChart(const std::string& family, const std::string& conditions,
   }
   const Axis x(multiplies), y(times);
   std::vector<Panel> panels;
-  for (const std::string& method : Distinct(marks, &Mark::method)) {
-    Panel panel = {method, {}, x, y, true, true, {}};
+  for (const std::string& label : Distinct(marks, &Mark::label)) {
+    Panel panel = {label, {}, x, y, true, true, {}};
     std::map<double, std::pair<double, int>> tops;  // the slowest and its order, by multiplications
     for (size_t k = targets.size(); k-- > 0;) {
+      const std::string colour = TargetColour(targets[k]);
       std::vector<Point> points;
       double rate = 0.0;
       for (const Mark& mark : marks) {
-        if (mark.method != method || mark.target != targets[k]) continue;
+        if (mark.label != label || mark.target != targets[k]) continue;
         points.push_back({*mark.multiplies, mark.ns});
         rate = mark.ns_multiply.value_or(0.0);
         std::pair<double, int>& top = tops[*mark.multiplies];
@@ -56,10 +53,10 @@ Figure OperationsChart(const std::string& family, const std::string& conditions,
                 [](const Point& a, const Point& b) { return a.x < b.x; });
       if (rate > 0.0) {
         panel.layer.Path({{x.from(), x.from() * rate}, {x.to(), x.to() * rate}},
-                         RateStyle(colours[k]));
+                         RateStyle(colour));
       }
-      panel.layer.Path(points, {colours[k], 1.4});
-      panel.layer.Marks(points, {0, false, colours[k], 0.7});
+      panel.layer.Path(points, {colour, 1.4});
+      panel.layer.Marks(points, {0, false, colour, 0.7});
     }
     for (const auto& [at, top] : tops) {
       panel.layer.Text({at, y.Moved(top.first, 0.055)}, std::to_string(top.second),
@@ -69,7 +66,7 @@ Figure OperationsChart(const std::string& family, const std::string& conditions,
   }
   return SmallMultiples({family + ": time against operations", conditions,
                          "multiplications and fused multiply-adds per item", "ns per item"},
-                        std::move(panels), MakeLegend(targets, colours));
+                        std::move(panels), MakeLegend(targets));
 }
 
 }  // namespace gaunt::tool

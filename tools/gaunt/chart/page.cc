@@ -19,6 +19,13 @@ size_t Columns(size_t places) {
 
 }  // namespace
 
+std::vector<std::string> Targets(const std::vector<Mark>& marks) {
+  std::vector<std::string> targets = Distinct(marks, &Mark::target);
+  targets.erase(std::remove(targets.begin(), targets.end(), ""), targets.end());
+  std::sort(targets.begin(), targets.end(), TargetBefore);
+  return targets;
+}
+
 void Legend::Heading(const std::string& text) {
   entries_.push_back({Kind::kHeading, text, MarkStyle(), PathStyle()});
 }
@@ -29,17 +36,34 @@ void Legend::Line(const PathStyle& style, const std::string& text) {
   entries_.push_back({Kind::kLine, text, MarkStyle(), style});
 }
 
+void Legend::Swatch(const std::string& colour, const std::string& text) {
+  entries_.push_back({Kind::kSwatch, text, MarkStyle(), {colour, 6.0}});
+}
+void Legend::Whisker(const std::string& colour, const std::string& text) {
+  entries_.push_back({Kind::kWhisker, text, {0, false, colour, 1.0}, {colour, kWhiskerWidth}});
+}
+
 double Legend::height() const { return kLine * static_cast<double>(entries_.size()); }
 
-void Legend::Draw(Point corner, Layer& page) const {
+void Legend::Draw(Point corner, double width, Layer& page) const {
+  constexpr double kText = 32;
   double y = corner.y + 0.5 * kLine;
   for (const Entry& entry : entries_) {
+    const bool heading = entry.kind == Kind::kHeading;
+    const double left = heading ? corner.x : corner.x + kText;
+    page.Text({left, y}, Shortened(entry.text, corner.x + width - left, 11),
+              {heading ? kGrey : kInk, 11});
     switch (entry.kind) {
-      case Kind::kHeading: page.Text({corner.x, y}, entry.text, {kGrey, 11}); break;
+      case Kind::kHeading: break;
       case Kind::kMark: page.Marks({{corner.x + 12, y}}, entry.mark); break;
       case Kind::kLine: page.Path({{corner.x, y}, {corner.x + 24, y}}, entry.line); break;
+      case Kind::kSwatch: page.Path({{corner.x + 2, y}, {corner.x + 22, y}}, entry.line); break;
+      case Kind::kWhisker:
+        page.Path({{corner.x + 2, y}, {corner.x + 20, y}}, entry.line);
+        page.Path({{corner.x + 2, y - 4}, {corner.x + 2, y + 4}}, entry.line);
+        page.Marks({{corner.x + 20, y}}, entry.mark);
+        break;
     }
-    if (entry.kind != Kind::kHeading) page.Text({corner.x + 32, y}, entry.text, {kInk, 11});
     y += kLine;
   }
 }
@@ -65,19 +89,20 @@ Figure SmallMultiples(const Titles& titles, std::vector<Panel> panels, const Leg
   }
   figure.panels = std::move(panels);
   const Rectangle rest = place(places - 1);
-  legend.Draw({rest.left + 12, rest.top}, figure.page);
+  legend.Draw({rest.left + 12, rest.top}, figure.width - rest.left - 12, figure.page);
   DrawTitles(titles, figure);
   return figure;
 }
 
 void DrawTitles(const Titles& titles, Figure& figure) {
-  figure.page.Text({kEdge, 22}, titles.title, {kInk, 17});
-  figure.page.Text({kEdge, 44}, titles.conditions, {kGrey, 12});
+  const double width = figure.width - 2 * kEdge;
+  figure.page.Text({kEdge, 22}, Shortened(titles.title, width, 17), {kInk, 17});
+  figure.page.Text({kEdge, 44}, Shortened(titles.conditions, width, 12), {kGrey, 12});
   figure.page.Text({kEdge, kTop - 30}, "↑ " + titles.y, {kInk, 12});
   figure.page.Text({kLeft, figure.height - 14}, titles.x + " →", {kInk, 12});
   for (const Panel& panel : figure.panels) {
-    figure.page.Text({panel.place.left + panel.place.width / 2, panel.place.top - 10}, panel.title,
-                     {kInk, 12, Align::kCentre});
+    figure.page.Text({panel.place.left + panel.place.width / 2, panel.place.top - 10},
+                     Shortened(panel.title, panel.place.width, 12), {kInk, 12, Align::kCentre});
   }
 }
 

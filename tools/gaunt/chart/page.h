@@ -4,24 +4,22 @@
 #define GAUNT_TOOLS_GAUNT_CHART_PAGE_H_
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "chart/figure.h"
+#include "chart/marks.h"
 
 namespace gaunt::tool {
 
-// Values of a member in the order of their first appearance.
+// Values of a member, sorted.
 template <class Marks, class Value>
 std::vector<Value> Distinct(const Marks& marks, Value Mark::*member) {
-  std::vector<Value> values;
-  for (const Mark& mark : marks) {
-    if (std::find(values.begin(), values.end(), mark.*member) == values.end()) {
-      values.push_back(mark.*member);
-    }
-  }
-  return values;
+  std::set<Value> values;
+  for (const Mark& mark : marks) values.insert(mark.*member);
+  return {values.begin(), values.end()};
 }
 
 template <class Values, class Value>
@@ -29,21 +27,28 @@ size_t IndexOf(const Values& values, const Value& value) {
   return static_cast<size_t>(std::find(values.begin(), values.end(), value) - values.begin());
 }
 
+// Those of the marks that have one, best first.
+std::vector<std::string> Targets(const std::vector<Mark>& marks);
+
 struct Titles {
   std::string title, conditions, x, y;
 };
+
+inline constexpr double kWhiskerWidth = 0.9;
 
 class Legend {
  public:
   void Heading(const std::string& text);
   void Mark(const MarkStyle& style, const std::string& text);
   void Line(const PathStyle& style, const std::string& text);
+  void Swatch(const std::string& colour, const std::string& text);
+  void Whisker(const std::string& colour, const std::string& text);
 
   double height() const;
-  void Draw(Point corner, Layer& page) const;
+  void Draw(Point corner, double width, Layer& page) const;
 
  private:
-  enum class Kind { kHeading, kMark, kLine };
+  enum class Kind { kHeading, kMark, kLine, kSwatch, kWhisker };
   struct Entry {
     Kind kind;
     std::string text;

@@ -2,6 +2,7 @@
 #include "chart/process.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -49,9 +50,23 @@ int RunProcess(const std::vector<std::string>& command,
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  // In a group of its own, to be ended with all that it starts. No signal comes between its start
+  // and the note of it.
+  sigset_t signals, before;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+  sigprocmask(SIG_BLOCK, &signals, &before);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  posix_spawnattr_setsigmask(&attributes, &before);
   pid_t child = 0;
   const int error =
-      posix_spawn(&child, command[0].c_str(), &actions, nullptr, arguments.data(), environ);
+      posix_spawn(&child, command[0].c_str(), &actions, &attributes, arguments.data(), environ);
+  std::optional<Undo> undo;
+  if (error == 0) undo.emplace(child);
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   if (error != 0) close(ends[0]);
@@ -66,6 +81,11 @@ int RunProcess(const std::vector<std::string>& command,
   }
   std::free(line);
   std::fclose(output);
+  // Its number is its own until it has been waited for.
+  siginfo_t ended;
+  while (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+  }
+  undo.reset();
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
@@ -77,6 +97,13 @@ TemporaryFolder::TemporaryFolder() {
   if (mkdtemp(path_.data()) == nullptr) {
     throw std::runtime_error("cannot make " + path_ + ": " + strerror(errno));
   }
+  undo_.emplace(Undo::Kind::kFolder, path_);
+}
+
+std::string TemporaryFolder::File(const std::string& name) {
+  const std::string path = path_ + "/" + name;
+  files_.try_emplace(name, Undo::Kind::kFile, path);
+  return path;
 }
 
 TemporaryFolder::~TemporaryFolder() {

@@ -4,8 +4,12 @@
 #define GAUNT_TOOLS_GAUNT_CHART_PROCESS_H_
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "undo.h"
 
 namespace gaunt::tool {
 
@@ -14,10 +18,11 @@ std::string FindProgram(const std::string& name);
 
 // Runs a program without input and waits for it; gives each line that it prints to either output.
 // Returns its exit status, or 128 + the signal that ended it. Throws std::runtime_error if it
-// cannot be started.
+// cannot be started. A signal that ends this program ends it too.
 int RunProcess(const std::vector<std::string>& command,
                const std::function<void(const std::string& line)>& on_line);
 
+// Signals remove it with the files that File() named.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -25,10 +30,12 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  std::string File(const std::string& name) const { return path_ + "/" + name; }
+  std::string File(const std::string& name);
 
  private:
   std::string path_;
+  std::optional<Undo> undo_;
+  std::map<std::string, Undo> files_;
 };
 
 }  // namespace gaunt::tool

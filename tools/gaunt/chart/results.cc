@@ -17,7 +17,6 @@ using Json = nlohmann::json;
 
 // Repetitions of a row.
 struct Repeated {
-  int64_t place;  // of its registration
   std::string label;
   std::map<std::string, std::vector<double>> values;
 };
@@ -44,6 +43,14 @@ Json Parse(const std::string& path) {
   return json;
 }
 
+void ReadContext(const Json& context, Results& results) {
+  static const std::string kSeries = "series ";
+  results.compiler = context.value("compiler", "");
+  for (const auto& [key, value] : context.items()) {
+    if (key.rfind(kSeries, 0) == 0) results.descriptions[key.substr(kSeries.size())] = value;
+  }
+}
+
 void Append(const Json& row, Repeated& repeated) {
   for (const auto& [key, value] : row.items()) {
     if (value.is_number()) repeated.values[key].push_back(value.get<double>());
@@ -60,14 +67,12 @@ void AppendFile(const std::string& path, const Json& json, RepeatedRows& all) {
       throw BadInput(path + ": " + name + " failed: " + row.value("error_message", ""));
     }
     Repeated& repeated = (aggregate ? medians : runs)[name];
-    repeated.place = row.value("family_index", int64_t{0});
     repeated.label = row.value("label", "");
     Append(row, repeated);
   }
   medians.merge(runs);
   for (auto& [name, row] : medians) {
     Repeated& sum = all[name];
-    sum.place = row.place;
     sum.label = row.label;
     for (auto& [key, values] : row.values) {
       sum.values[key].insert(sum.values[key].end(), values.begin(), values.end());
@@ -89,21 +94,17 @@ Results ReadResults(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const Json json = Parse(path);
     try {
-      results.compiler = json.value("context", Json::object()).value("compiler", "");
+      ReadContext(json.value("context", Json::object()), results);
       AppendFile(path, json, all);
     } catch (const Json::exception&) {
       throw BadInput(path + " is not what gaunt_bench writes");
     }
   }
-  std::vector<std::pair<int64_t, ResultRow>> placed;
   for (const auto& [name, repeated] : all) {
     ResultRow row = {name, repeated.label, {}};
     for (const auto& [key, values] : repeated.values) row.counters[key] = Median(values);
-    placed.emplace_back(repeated.place, std::move(row));
+    results.rows.push_back(std::move(row));
   }
-  std::stable_sort(placed.begin(), placed.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (auto& [place, row] : placed) results.rows.push_back(std::move(row));
   return results;
 }
 

@@ -12,12 +12,13 @@ namespace gaunt::tool {
 struct ResultRow {
   std::string name;
   std::string label;                       // in words, or empty
-  std::map<std::string, double> counters;  // medians over repetitions; finite
+  std::map<std::string, double> counters;  // medians over repetitions
 };
 
 struct Results {
   std::string compiler;
-  std::vector<ResultRow> rows;  // in the order of their registration
+  std::vector<ResultRow> rows;                      // by name
+  std::map<std::string, std::string> descriptions;  // of family/<series>
 };
 
 double Median(std::vector<double> values);
