@@ -2,8 +2,11 @@
 // What charts are made of: names of benchmarks, their medians, fronts and axes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +16,7 @@
 #include "chart/figure.h"
 #include "chart/marks.h"
 #include "chart/results.h"
+#include "chart/targets.h"
 
 namespace gaunt::tool {
 namespace {
@@ -70,10 +74,30 @@ TEST(ChartNames, OfOtherBenchmarksAreNone) {
        {"", "rotate", "frame/2000_objects_2048/AVX3", "project/cubemap/n3/rgba32f/64/AVX3",
         "rotate/matrix/3/tiled/1024/AVX3", "rotate/matrix/n3/tiled/many/AVX3",
         "rotate/matrix/n3/tiled/1024/AVX3/more", "rotate/matrix/n3/tiled/1024/",
-        "rotate/matrix/n3/tiled/99999999999999999999/AVX3"}) {
+        "rotate/matrix/n3/tiled/99999999999999999999/AVX3", "//////", "rotate/drift//1",
+        "rotate/dr ift/line/1", "rotate/matrix/n3/tiled//AVX3"}) {
     EXPECT_FALSE(ParseMarkName(name).has_value()) << name;
     EXPECT_FALSE(ParseSeriesName(name).has_value()) << name;
   }
+}
+
+TEST(ChartNames, MayBeOfAnyLength) {
+  const std::string text(1000000, 'a');
+  EXPECT_FALSE(ParseMarkName(text).has_value());
+  EXPECT_FALSE(ParseSeriesName(text).has_value());
+  EXPECT_TRUE(ParseSeriesName("f/" + text + "/line/1").has_value());
+}
+
+TEST(ChartTargets, AreInCapitalsBestFirst) {
+  EXPECT_TRUE(IsTarget("AVX3_ZEN4"));
+  EXPECT_TRUE(IsTarget("Z99"));
+  for (const char* loop : {"", "engine", "A2_clang_native"}) EXPECT_FALSE(IsTarget(loop)) << loop;
+  EXPECT_TRUE(TargetBefore("AVX3_ZEN4", "AVX3"));
+  EXPECT_TRUE(TargetBefore("AVX3", "AVX2"));
+  EXPECT_TRUE(TargetBefore("SCALAR", "A_NEW_ONE"));
+  EXPECT_TRUE(TargetBefore("A_NEW_ONE", "B_NEW_ONE"));
+  EXPECT_FALSE(TargetBefore("A_NEW_ONE", "SCALAR"));
+  EXPECT_NE(TargetColour("AVX3"), TargetColour("AVX2"));
 }
 
 TEST(ChartMedian, IsTheMiddleOrTheMeanOfTwo) {
@@ -105,6 +129,8 @@ TEST_F(ChartResults, AreMediansOfRepetitions) {
   EXPECT_EQ(results.rows[0].name, "f/early");
   EXPECT_EQ(results.rows[0].counters.at("ns_item"), 5.0);
   EXPECT_EQ(results.rows[1].name, "f/late");
+  // Whatever order they ran in.
+  EXPECT_EQ(results.rows[1].counters.at("ns_item"), 1.0);
 }
 
 TEST_F(ChartResults, PreferTheMediansOfTheFile) {
@@ -149,17 +175,22 @@ Results Rows() {
   const std::map<std::string, double> loop = {{"ns_item", 9.0}, {"error", 2e-7}};
   return {"cc 1",
           {{"f/op/n3/tiled/1024/SCALAR", "method", kernel},
-           {"f/op/n3/tiled/1024/EMU128", "method", kernel},
+           {"f/op/n3/tiled/1024/EMU128", "job: method", kernel},
            {"f/op/n3/planar/1024/EMU128", "method", kernel},
            {"f/op/n3/tiled/1000/EMU128", "method", kernel},
            {"f/op/n9/tiled/1024/EMU128", "method", kernel},
            {"f/other_job/n3/tiled/1024/EMU128", "", kernel},
            {"g/op/n3/tiled/1024/EMU128", "method", kernel},
-           {"f/op/n3/interleaved/1024/engine", "scalar loop", loop},
+           {"f/op/n3/interleaved/1024/engine", "job: scalar loop", loop},
            {"f/drift/b/10", "line b", {{"x", 10.0}, {"error", 3e-7}}},
            {"f/drift/b/1", "line b", {{"x", 1.0}, {"error", 1e-7}}},
            {"f/drift/a/1", "line a", {{"x", 1.0}, {"error", 2e-7}}},
-           {"g/drift/a/1", "line a", {{"x", 1.0}, {"error", 2e-7}}}}};
+           {"f/drift/a/3", "line a", {{"x", 3.0}, {"error", 0.0}}},
+           {"f/drift/a/4", "line a", {{"x", 4.0}, {"error", std::nan("")}}},
+           {"f/drift/a/5", "line a", {{"x", 5.0}, {"error", 1e300}}},
+           {"f/drift/none/1", "line c", {{"x", 1.0}, {"error", 0.0}}},
+           {"g/drift/a/1", "line a", {{"x", 1.0}, {"error", 2e-7}}}},
+          {{"f/drift", "drift of something: how"}, {"g/drift", "another"}}};
 }
 
 TEST(ChartMarks, AreThoseOfTheSelectionBestTargetFirst) {
@@ -171,6 +202,59 @@ TEST(ChartMarks, AreThoseOfTheSelectionBestTargetFirst) {
   EXPECT_TRUE(marks[2].is_baseline());
   EXPECT_EQ(marks[2].method, "scalar loop");
   EXPECT_FALSE(marks[2].multiplies.has_value());
+  // A label without a job is its own.
+  EXPECT_EQ(marks[0].job, "job");
+  EXPECT_EQ(marks[0].method, "method");
+  EXPECT_EQ(marks[1].job, "method");
+  EXPECT_EQ(marks[2].job, "job");
+}
+
+TEST(ChartMarks, DependOnNoOrderOfRows) {
+  Results turned = Rows();
+  std::reverse(turned.rows.begin(), turned.rows.end());
+  const Selection selection = {"f", "tiled", 1024, 2, 8};
+  const std::vector<Mark> marks = SelectMarks(Rows(), selection);
+  EXPECT_EQ(ErrorChart("f", "", SelectMarks(turned, selection)).Script(),
+            ErrorChart("f", "", marks).Script());
+  EXPECT_EQ(SeriesChart("f", "", SelectSeries(turned, "f")[0]).Script(),
+            SeriesChart("f", "", SelectSeries(Rows(), "f")[0]).Script());
+}
+
+TEST(ChartMarks, WithoutKernelsSayWhatThereIs) {
+  try {
+    SelectMarks(Rows(), {"f", "interleaved", 1024, 2, 8});
+    ADD_FAILURE() << "found kernels";
+  } catch (const BadInput& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("planar with 1024 items; tiled with 1000, 1024 items, of orders 3 to 9"),
+              std::string::npos)
+        << message;
+  }
+}
+
+// A front for each job that has kernels, and none through the marks of another.
+TEST(ChartError, HasAFrontForEachJob) {
+  const auto mark = [](const char* job, const char* target, double ns, double error) {
+    Mark made = {};
+    made.label = made.job = made.method = job;
+    made.target = target;
+    made.order = 3;
+    made.ns = ns;
+    made.error = error;
+    return made;
+  };
+  const auto count = [](const std::string& text, const std::string& word) {
+    size_t found = 0;
+    for (size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += word.size()) ++found;
+    return found;
+  };
+  const std::string script =
+      ErrorChart("f", "", {mark("a", "AVX2", 1, 1e-7), mark("b", "AVX2", 2, 2e-7)}).Script();
+  EXPECT_EQ(count(script, "Pareto front"), 2u);
+  // Into its mark, across, and in the legend.
+  EXPECT_EQ(count(script, "linecolor rgb '#444444' dashtype solid"), 2u);
+  EXPECT_EQ(count(script, "linecolor rgb '#444444' dashtype (10,7)"), 2u);
+  EXPECT_EQ(count(ErrorChart("f", "", {mark("a", "", 1, 1e-7)}).Script(), "Pareto front"), 0u);
 }
 
 TEST(ChartMarks, OfSeriesRunByTheirSteps) {
@@ -178,21 +262,30 @@ TEST(ChartMarks, OfSeriesRunByTheirSteps) {
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].name, "drift");
   ASSERT_EQ(all[0].lines.size(), 2u);
-  EXPECT_EQ(all[0].lines[0].label, "line b");
-  ASSERT_EQ(all[0].lines[0].points.size(), 2u);
-  EXPECT_EQ(all[0].lines[0].points[0].x, 1.0);
-  EXPECT_EQ(all[0].lines[0].points[1].y, 3e-7);
+  EXPECT_EQ(all[0].title, "drift of something");
+  EXPECT_EQ(all[0].conditions, "how");
+  EXPECT_EQ(all[0].lines[0].label, "line a");
+  EXPECT_EQ(all[0].lines[0].points.size(), 1u) << "a point that no axis has";
+  EXPECT_EQ(all[0].lines[1].label, "line b");
+  ASSERT_EQ(all[0].lines[1].points.size(), 2u);
+  EXPECT_EQ(all[0].lines[1].points[0].x, 1.0);
+  EXPECT_EQ(all[0].lines[1].points[1].y, 3e-7);
 }
 
 TEST(ChartAxis, HoldsItsValuesAndHasRoundTicks) {
-  for (const std::vector<double>& values :
-       {std::vector<double>{1.0}, {0.07, 900.0}, {2e-7, 3e-7}, {1.0, 10.0}, {1e-12, 1e5}}) {
+  for (const std::vector<double>& values : {std::vector<double>{1.0},
+                                            {0.07, 900.0},
+                                            {2e-7, 3e-7},
+                                            {1.0, 10.0},
+                                            {1e-12, 1e5},
+                                            {1e-30, 1e30}}) {
     const Axis axis(values);
     for (const double value : values) {
       EXPECT_GT(axis.Share(value), 0.0);
       EXPECT_LT(axis.Share(value), 1.0);
     }
     EXPECT_GE(axis.ticks().size(), 3u);
+    EXPECT_LE(axis.ticks().size(), 9u);
     for (const Tick& tick : axis.ticks()) {
       EXPECT_GE(tick.at, axis.from());
       EXPECT_LE(tick.at, axis.to());
@@ -202,6 +295,23 @@ TEST(ChartAxis, HoldsItsValuesAndHasRoundTicks) {
   std::vector<std::string> labels;
   for (const Tick& tick : powers.ticks()) labels.push_back(tick.label);
   EXPECT_EQ(labels, (std::vector<std::string>{"10⁻⁷", "2×10⁻⁷", "5×10⁻⁷"}));
+}
+
+TEST(ChartAxis, EndsWhateverItIsGiven) {
+  constexpr double kHuge = std::numeric_limits<double>::infinity();
+  for (const std::vector<double>& values :
+       {std::vector<double>{}, {0.0}, {-1.0}, {kHuge}, {std::nan("")}, {1e-320, 1e308}}) {
+    const Axis axis(values);
+    EXPECT_GT(axis.from(), 0.0);
+    EXPECT_LT(axis.to(), kHuge);
+  }
+}
+
+TEST(ChartAxis, OfStepsHasThoseThatAreTaken) {
+  const Axis axis({1, 1000}, Axis::Format::kSteps);
+  std::vector<std::string> labels;
+  for (const Tick& tick : axis.ticks()) labels.push_back(tick.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"1", "3", "10", "30", "100", "300", "1000"}));
 }
 
 TEST(ChartColours, GetLighterAndDiffer) {
@@ -221,10 +331,30 @@ TEST(ChartColours, GetLighterAndDiffer) {
 
 // What comes from files is data to gnuplot, never commands.
 TEST(ChartScript, QuotesTexts) {
-  const Figure figure = SeriesChart("f", "cc 'x'\n!rm", {"drift", {{"it's `a`", {{1.0, 1e-7}}}}});
+  EXPECT_EQ(Quoted("plain, 2×10⁻⁷: 1"), "\"plain, 2×10⁻⁷: 1\"");
+  EXPECT_EQ(Quoted("\"`@\\\n7"), R"("\042\140\100\134 7")");
+  EXPECT_EQ(Quoted("'17x"), R"("\047\061\067x")");
+  EXPECT_EQ(Quoted("${NAME}"), R"("\044\173NAME\175")");
+  const Figure figure =
+      SeriesChart("f", "cc\n!rm", {"drift", {{"`a`", {{1.0, 1e-7}}}}, "title", ""});
   const std::string script = figure.Script();
-  EXPECT_NE(script.find("'it''s `a`'"), std::string::npos);
-  EXPECT_NE(script.find("'cc ''x'' !rm'"), std::string::npos);
+  EXPECT_NE(script.find(R"("\140a\140")"), std::string::npos);
+  EXPECT_NE(script.find(R"("cc !rm")"), std::string::npos);
+}
+
+TEST(ChartScript, ShortensWhatDoesNotFit) {
+  EXPECT_EQ(Shortened("it fits", 200, 12), "it fits");
+  const std::string kept = Shortened(std::string(1000, 'x'), 200, 12);
+  EXPECT_LT(kept.size(), 40u);
+  EXPECT_EQ(kept.substr(kept.size() - 3), "…");
+  // Between characters.
+  EXPECT_EQ(Shortened("⁻⁻⁻⁻", 15, 10), "⁻…");
+}
+
+TEST(ChartScript, GrowsWithItsLines) {
+  SeriesData series = {"drift", {}, "title", ""};
+  for (int k = 0; k < 40; ++k) series.lines.push_back({std::to_string(k), {{1.0, 1e-7}}});
+  EXPECT_GT(SeriesChart("f", "", series).height, 40 * 16);
 }
 
 }  // namespace

@@ -42,16 +42,16 @@ void RunToEnd(const std::vector<std::string>& command,
     on_line(line);
   });
   if (status == 0) return;
-  throw std::runtime_error(
-      fmt::format("{} {} {}{}{}", command[0],
-                  status > 128 ? "was ended by signal" : "ended with status",
-                  status > 128 ? status - 128 : status, last.empty() ? "" : ": ", last));
+  throw std::runtime_error(fmt::format(
+      "{} {} {}{}{}", command[0], status > 128 ? "was ended by signal" : "ended with status",
+      status > 128 ? status - 128 : status, last.empty() ? "" : ": ", last));
 }
 
 // Those of the selection: kernels in the layout, scalar loops, and series.
 std::vector<std::string> Names(const std::string& bench, const Selection& selection) {
   std::vector<std::string> all, names;
-  RunToEnd({bench, "--benchmark_list_tests"}, [&](const std::string& line) { all.push_back(line); });
+  RunToEnd({bench, "--benchmark_list_tests"},
+           [&](const std::string& line) { all.push_back(line); });
   CheckFamily(all, selection.family, bench);
   std::vector<MarkName> kernels;
   for (const std::string& line : all) {

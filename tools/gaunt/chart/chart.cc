@@ -43,15 +43,19 @@ Results GetResults(const ChartOptions& options) {
   return results;
 }
 
-std::vector<NamedFigure> MakeFigures(const Results& results, const Selection& selection) {
-  const std::string& family = selection.family;
-  const std::vector<Mark> marks = SelectMarks(results, selection);
+std::string Conditions(const Results& results, const Selection& selection,
+                       const std::vector<Mark>& marks) {
   const bool loops_differ =
       selection.layout != kLoopLayout &&
       std::any_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.is_baseline(); });
-  const std::string conditions = fmt::format(
-      "{} · {} layout{} · {} items · medians", results.compiler, selection.layout,
-      loops_differ ? fmt::format(" (scalar loops: {})", kLoopLayout) : "", selection.items);
+  return fmt::format("{} · {} layout{} · {} items · medians", results.compiler, selection.layout,
+                     loops_differ ? fmt::format(" (scalar loops: {})", kLoopLayout) : "",
+                     selection.items);
+}
+
+std::vector<NamedFigure> MakeFigures(const Results& results, const Selection& selection) {
+  const std::string& family = selection.family;
+  const std::vector<Mark> marks = SelectMarks(results, selection);
   std::vector<Mark> with_error, with_multiplies;
   for (const Mark& mark : marks) {
     if (mark.error) with_error.push_back(mark);
@@ -59,11 +63,13 @@ std::vector<NamedFigure> MakeFigures(const Results& results, const Selection& se
   }
   std::vector<NamedFigure> figures;
   if (!with_error.empty()) {
-    figures.push_back({family + "_error", ErrorChart(family, conditions, with_error)});
+    figures.push_back({family + "_error",
+                       ErrorChart(family, Conditions(results, selection, with_error), with_error)});
   }
   if (!with_multiplies.empty()) {
-    figures.push_back(
-        {family + "_operations", OperationsChart(family, conditions, with_multiplies)});
+    figures.push_back({family + "_operations",
+                       OperationsChart(family, Conditions(results, selection, with_multiplies),
+                                       with_multiplies)});
   }
   for (const SeriesData& series : SelectSeries(results, family)) {
     figures.push_back({family + "_" + series.name, SeriesChart(family, results.compiler, series)});
@@ -140,7 +146,9 @@ void AddChart(CLI::App& app) {
   command->add_option("--items", o->selection.items, "Items of a call")
       ->check(CLI::IsMember({1000, 1024, 1 << 20}))
       ->capture_default_str();
-  command->add_option("--orders", o->orders, "First and last order of the timings; 1 is a copy of one number")
+  command
+      ->add_option("--orders", o->orders,
+                   "First and last order of the timings; 1 is a copy of one number")
       ->expected(2)
       ->check(CLI::Range(1, 64))
       ->capture_default_str();

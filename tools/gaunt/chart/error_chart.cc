@@ -31,7 +31,10 @@ std::vector<Job> FindJobs(const std::vector<Mark>& marks) {
       if (mark.job == name) (mark.is_baseline() ? loops : kernels).push_back(mark);
     }
     const Dash dash = kFrontDashes[jobs.size() % std::size(kFrontDashes)];
-    jobs.push_back({name, Distinct(kernels, &Mark::method), Distinct(loops, &Mark::method), shape,
+    jobs.push_back({name,
+                    Distinct(kernels, &Mark::method),
+                    Distinct(loops, &Mark::method),
+                    shape,
                     {"#444444", 1.2, dash}});
     // Scalar loops are the hollow shapes of their job.
     shape += std::max(jobs.back().kernels.size(), jobs.back().loops.size());
@@ -60,12 +63,11 @@ Legend MakeLegend(const std::vector<Mark>& marks, const std::vector<Job>& jobs) 
     if (!job.kernels.empty()) legend.Line(job.front, "Pareto front");
   }
   const auto any = [&](std::optional<double> Mark::*member) {
-    return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
-      return !mark.is_baseline() && mark.*member;
-    });
+    return std::any_of(marks.begin(), marks.end(),
+                       [&](const Mark& mark) { return !mark.is_baseline() && mark.*member; });
   };
   if (any(&Mark::limit) || any(&Mark::rounding)) legend.Heading("bounds");
-  if (any(&Mark::limit)) legend.Whisker(kInk, "down to the machine's limit");
+  if (any(&Mark::limit)) legend.Whisker(kInk, "to the machine's limit");
   if (any(&Mark::rounding)) legend.Line(kRoundingStyle, "rounding alone");
   return legend;
 }
@@ -125,8 +127,9 @@ void DrawPanel(const std::vector<Mark>& marks, const std::vector<Job>& jobs, Pan
   // The best target last, over the others.
   std::vector<Point> drawn;
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-    const Job& job = *std::find_if(jobs.begin(), jobs.end(),
-                                   [&](const Job& candidate) { return candidate.name == mark->job; });
+    const Job& job = *std::find_if(jobs.begin(), jobs.end(), [&](const Job& candidate) {
+      return candidate.name == mark->job;
+    });
     MarkStyle style = mark->is_baseline()
                           ? LoopStyle(job, mark->method)
                           : KernelStyle(job, mark->method, TargetColour(mark->target));

@@ -156,10 +156,10 @@ void Layer::Marks(const std::vector<Point>& at, const MarkStyle& style) {
 void Layer::Path(const std::vector<Point>& through, const PathStyle& style) {
   if (through.empty()) return;
   static const std::array<const char*, 4> kDashes = {"solid", "(10,7)", "(2,5)", "(10,5,2,5)"};
-  plots_.push_back({through,
-                    {fmt::format("lines linewidth {:.3g} linecolor rgb '{}' dashtype {}",
-                                 style.width, style.colour,
-                                 kDashes[static_cast<size_t>(style.dash)])}});
+  plots_.push_back(
+      {through,
+       {fmt::format("lines linewidth {:.3g} linecolor rgb '{}' dashtype {}", style.width,
+                    style.colour, kDashes[static_cast<size_t>(style.dash)])}});
 }
 
 std::string Layer::Script(const std::string& name) const {

@@ -58,8 +58,8 @@ std::optional<MarkName> ParseMarkName(const std::string& name) {
       !IsNumber(part[4], 9) || !IsAll(part[5], IsWord)) {
     return std::nullopt;
   }
-  return MarkName{part[0], part[1], part[3], part[5], std::stoi(part[2].substr(1)),
-                  std::stoul(part[4])};
+  return MarkName{
+      part[0], part[1], part[3], part[5], std::stoi(part[2].substr(1)), std::stoul(part[4])};
 }
 
 std::optional<SeriesName> ParseSeriesName(const std::string& name) {
@@ -89,10 +89,11 @@ void CheckSelection(const std::vector<MarkName>& kernels, const Selection& selec
   for (const auto& [layout, items] : sizes) {
     there.push_back(fmt::format("{} with {} items", layout, fmt::join(items, ", ")));
   }
-  throw BadInput(fmt::format(
-      "no kernel of {} is {} with {} items and of orders {} to {}: there are {}, of orders {} to {}",
-      selection.family, selection.layout, selection.items, selection.first_order,
-      selection.last_order, fmt::join(there, "; "), *orders.begin(), *orders.rbegin()));
+  throw BadInput(
+      fmt::format("no kernel of {} is {} with {} items and of orders {} to {}: there are {}, of "
+                  "orders {} to {}",
+                  selection.family, selection.layout, selection.items, selection.first_order,
+                  selection.last_order, fmt::join(there, "; "), *orders.begin(), *orders.rbegin()));
 }
 
 std::vector<Mark> SelectMarks(const Results& results, const Selection& selection) {

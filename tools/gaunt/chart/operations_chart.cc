@@ -52,8 +52,7 @@ Figure OperationsChart(const std::string& family, const std::string& conditions,
       std::sort(points.begin(), points.end(),
                 [](const Point& a, const Point& b) { return a.x < b.x; });
       if (rate > 0.0) {
-        panel.layer.Path({{x.from(), x.from() * rate}, {x.to(), x.to() * rate}},
-                         RateStyle(colour));
+        panel.layer.Path({{x.from(), x.from() * rate}, {x.to(), x.to() * rate}}, RateStyle(colour));
       }
       panel.layer.Path(points, {colour, 1.4});
       panel.layer.Marks(points, {0, false, colour, 0.7});

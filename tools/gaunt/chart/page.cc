@@ -37,7 +37,7 @@ void Legend::Line(const PathStyle& style, const std::string& text) {
 }
 
 void Legend::Swatch(const std::string& colour, const std::string& text) {
-  entries_.push_back({Kind::kSwatch, text, MarkStyle(), {colour, 6.0}});
+  entries_.push_back({Kind::kSwatch, text, {1, false, colour, 0.9}, PathStyle()});
 }
 void Legend::Whisker(const std::string& colour, const std::string& text) {
   entries_.push_back({Kind::kWhisker, text, {0, false, colour, 1.0}, {colour, kWhiskerWidth}});
@@ -53,11 +53,15 @@ void Legend::Draw(Point corner, double width, Layer& page) const {
     const double left = heading ? corner.x : corner.x + kText;
     page.Text({left, y}, Shortened(entry.text, corner.x + width - left, 11),
               {heading ? kGrey : kInk, 11});
+    std::vector<Point> bar;
     switch (entry.kind) {
       case Kind::kHeading: break;
       case Kind::kMark: page.Marks({{corner.x + 12, y}}, entry.mark); break;
       case Kind::kLine: page.Path({{corner.x, y}, {corner.x + 24, y}}, entry.line); break;
-      case Kind::kSwatch: page.Path({{corner.x + 2, y}, {corner.x + 22, y}}, entry.line); break;
+      case Kind::kSwatch:  // squares that make a bar: thick lines end raggedly
+        for (const double x : {6.0, 12.0, 18.0}) bar.push_back({corner.x + x, y});
+        page.Marks(bar, entry.mark);
+        break;
       case Kind::kWhisker:
         page.Path({{corner.x + 2, y}, {corner.x + 20, y}}, entry.line);
         page.Path({{corner.x + 2, y - 4}, {corner.x + 2, y + 4}}, entry.line);

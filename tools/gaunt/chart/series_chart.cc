@@ -19,9 +19,12 @@ Figure SeriesChart(const std::string& family, const std::string& conditions,
   Figure figure;
   const double high = std::max(320.0, kApart * static_cast<double>(series.lines.size()));
   figure.height = high + 140;
-  Panel panel = {"",          {66, 90, figure.width - 66 - kLabels, high},
-                 Axis(steps, Axis::Format::kSteps), Axis(errors, Axis::Format::kPowers),
-                 true,        true,
+  Panel panel = {"",
+                 {66, 90, figure.width - 66 - kLabels, high},
+                 Axis(steps, Axis::Format::kSteps),
+                 Axis(errors, Axis::Format::kPowers),
+                 true,
+                 true,
                  {}};
   // Labels beside the ends of their lines, no closer than they are high; from the top.
   const std::vector<std::string> colours = Colours(series.lines.size());
@@ -50,7 +53,8 @@ Figure SeriesChart(const std::string& family, const std::string& conditions,
   figure.panels.push_back(std::move(panel));
   DrawTitles({family + ": " + series.title,
               series.conditions.empty() ? conditions : conditions + " · " + series.conditions,
-              "steps", "relative error"}, figure);
+              "steps", "relative error"},
+             figure);
   return figure;
 }
 

@@ -15,12 +15,15 @@ struct Target {
 
 // Those of a machine get lighter; machines share colours.
 constexpr Target kTargets[] = {
-    {"AVX10_2", "#0b2f3d"},   {"AVX3_SPR", "#0e4f6e"},  {"AVX3_ZEN4", "#17155c"},
-    {"AVX3_DL", "#4b3aa8"},   {"AVX3", "#861f86"},      {"AVX2", "#cf354e"},
-    {"SSE4", "#e87722"},      {"SSSE3", "#dcae1d"},     {"SSE2", "#9db43a"},
-    {"SVE2_128", "#0e4f6e"},  {"SVE2", "#17155c"},      {"SVE_256", "#4b3aa8"},
-    {"SVE", "#861f86"},       {"NEON_BF16", "#cf354e"}, {"NEON", "#e87722"},
-    {"NEON_WITHOUT_AES", "#dcae1d"}, {"EMU128", "#5f9e6e"}, {"SCALAR", "#7fc4c0"},
+    {"AVX10_2", "#0b2f3d"},   {"AVX3_SPR", "#0e4f6e"},
+    {"AVX3_ZEN4", "#17155c"}, {"AVX3_DL", "#4b3aa8"},
+    {"AVX3", "#861f86"},      {"AVX2", "#cf354e"},
+    {"SSE4", "#e87722"},      {"SSSE3", "#dcae1d"},
+    {"SSE2", "#9db43a"},      {"SVE2_128", "#0e4f6e"},
+    {"SVE2", "#17155c"},      {"SVE_256", "#4b3aa8"},
+    {"SVE", "#861f86"},       {"NEON_BF16", "#cf354e"},
+    {"NEON", "#e87722"},      {"NEON_WITHOUT_AES", "#dcae1d"},
+    {"EMU128", "#5f9e6e"},    {"SCALAR", "#7fc4c0"},
 };
 constexpr char kUnknown[] = "#2b8f96";
 
