@@ -165,7 +165,7 @@ void RegisterRotateDrift() {
   DescribeSeries("rotate/drift", "drift of accumulated rotations: order " + std::to_string(kOrder) +
                                      ", steps of 0.6 to 6 degrees, root mean square over " +
                                      std::to_string(kObjects) +
-                                     " objects of the error relative to the norm");
+                                     " objects of errors relative to the norm");
   RegisterKept<KeptCoefficients>("coefficients", "coefficients rotated again and again");
   RegisterKept<KeptMatrix>("matrix", "matrix accumulated");
   RegisterKept<KeptQuaternion>("quaternion", "quaternion accumulated");

@@ -174,6 +174,13 @@ rejects "n3/tiled/1024/SSE4 failed: broke" chart f --results failed.json
 rejects "no program ./nothing" chart f --bench ./nothing
 rejects excludes chart f --bench ./nothing --results results.json
 rejects orders chart f --results results.json --orders 2
+rejects "the first, 3, is above the last, 2" chart f --results results.json --orders 3 2
+rejects "there are tiled with 1024 items, of orders 2 to 3" \
+  chart f --results results.json --layout planar --out none
+rejects "cannot read nowhere" chart f --results nowhere --out none
+rejects "is a folder" chart f --bench folder --out none
+rejects "no program that may be run" chart f --bench results.json --out none
+[ ! -e none ] || fail "chart made a folder for nothing"
 rejects layout chart f --results results.json --layout diagonal
 rejects taken chart f --results results.json --out taken
 PATH=nowhere "$gaunt" chart f --results results.json 2>err.txt
@@ -350,11 +357,41 @@ for chart in error operations drift; do
   [ "$(head -c 4 "charts/f_$chart.png" | tail -c 3)" = PNG ] || fail "no f_$chart.png"
 done
 for word in 'order 2' 'order 3' AVX2 SSE4 'first method' "a_&lt;method> \`id\`" 'scalar loop' \
-  'Pareto front' 'cc 1 · tiled layout · 1024 items'; do
+  'Pareto front' 'cc 1 · tiled layout (scalar loops: interleaved) · 1024 items'; do
   grep -q -- "$word" charts/f_error.svg || fail "f_error.svg: no $word"
 done
 grep -q 'scalar loop' charts/f_operations.svg && fail "f_operations.svg has a row without operations"
 grep -q 'a line of steps' charts/f_drift.svg || fail "f_drift.svg: no label"
+
+# A bench that fails, and one that a signal ends.
+bench() {
+  printf '#!/bin/sh\ncase $1 in *list*) echo f/op/n3/tiled/1024/AVX2; exit;; esac\n%s\n' "$1" >bench
+  chmod +x bench
+}
+bench 'echo broke; exit 3'
+"$gaunt" chart f --bench bench --out charts >out.txt 2>err.txt
+[ $? -eq 1 ] && grep -q 'bench ended with status 3: broke' err.txt || fail "bench: $(cat err.txt)"
+mkdir temporary
+bench 'echo $$ >pid; sleep 60; echo'
+TMPDIR=temporary "$gaunt" chart f --bench bench --out charts >out.txt 2>err.txt &
+charting=$!
+for _ in $(seq 100); do
+  [ ! -s pid ] || break
+  sleep 0.1
+done
+kill -TERM $charting
+wait $charting 2>/dev/null
+[ $? -eq 143 ] || fail "chart does not end by a signal"
+[ -z "$(ls temporary)" ] || fail "chart left files when it was interrupted"
+kill -0 "$(cat pid)" 2>/dev/null && fail "chart left its bench running"
+
+# Links in the folder are not followed, and names are not read.
+ln -s ../victim charts/.gaunt-trial
+"$gaunt" chart f --results results.json --out charts >out.txt 2>&1 || fail "chart: $(cat out.txt)"
+[ ! -e victim ] && [ -L charts/.gaunt-trial ] || fail "chart wrote through a link"
+rm charts/.gaunt-trial
+"$gaunt" chart f --results results.json --out "it's \"\`these\`" >out.txt 2>&1 ||
+  fail "chart to quotes: $(cat out.txt)"
 
 "$gaunt" info | grep -q '^target ' || fail "info"
 "$gaunt" info --json | grep -q '"targets"' || fail "info --json"

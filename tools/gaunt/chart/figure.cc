@@ -96,7 +96,7 @@ std::string Quoted(const std::string& text) {
 }
 
 std::string Shortened(const std::string& text, double width, int size) {
-  const auto room = static_cast<size_t>(std::max(1.0, width / (0.54 * size)));
+  const auto room = static_cast<size_t>(std::max(1.0, width / (0.6 * size)));
   const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
   if (static_cast<size_t>(std::count_if(text.begin(), text.end(), begins)) <= room) return text;
   std::string kept;

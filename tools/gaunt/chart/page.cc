@@ -59,7 +59,7 @@ void Legend::Draw(Point corner, double width, Layer& page) const {
       case Kind::kMark: page.Marks({{corner.x + 12, y}}, entry.mark); break;
       case Kind::kLine: page.Path({{corner.x, y}, {corner.x + 24, y}}, entry.line); break;
       case Kind::kSwatch:  // squares that make a bar: thick lines end raggedly
-        for (const double x : {6.0, 12.0, 18.0}) bar.push_back({corner.x + x, y});
+        for (const double x : {5.0, 8.0, 11.0, 14.0, 17.0, 20.0}) bar.push_back({corner.x + x, y});
         page.Marks(bar, entry.mark);
         break;
       case Kind::kWhisker:

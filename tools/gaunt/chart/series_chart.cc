@@ -8,7 +8,7 @@ namespace gaunt::tool {
 
 Figure SeriesChart(const std::string& family, const std::string& conditions,
                    const SeriesData& series) {
-  constexpr double kLabels = 276, kApart = 17;
+  constexpr double kLabels = 290, kApart = 17;
   std::vector<double> steps, errors;
   for (const SeriesLine& line : series.lines) {
     for (const Point& point : line.points) {
