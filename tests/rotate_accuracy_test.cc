@@ -301,6 +301,52 @@ TEST_P(RotateAccuracy, QuaternionsOfRightAnglesAreExact) {
   }
 }
 
+// The orthonormal matrix nearest to one that is almost so, by Newton's iteration of the polar form.
+void Orthonormalise(double matrix[9]) {
+  for (int step = 0; step < 20; ++step) {
+    double gram[9] = {}, next[9];
+    for (int i = 0; i < 27; ++i) {
+      gram[i / 9 * 3 + i / 3 % 3] += matrix[i % 3 * 3 + i / 9] * matrix[i % 3 * 3 + i / 3 % 3];
+    }
+    for (int i = 0; i < 9; ++i) {
+      next[i] = 1.5 * matrix[i];
+      for (int k = 0; k < 3; ++k) next[i] -= 0.5 * matrix[i / 3 * 3 + k] * gram[3 * k + i % 3];
+    }
+    std::copy(next, next + 9, matrix);
+  }
+}
+
+// As gaunt.h states it of matrices that gaunt_rotation_check() finds off by e.
+TEST_P(RotateAccuracy, MatricesThatAreOffGiveCoefficientsThatAreOffAsMuch) {
+  Random random(41);
+  double largest = 0.0;
+  for (uint32_t n = 2; n <= 8; ++n) {
+    for (int trial = 0; trial < 60; ++trial) {
+      const Floats q = RandomItems(random, 4), in = RandomItems(random, n * n);
+      double exact[9];
+      rotate::MatrixReference(std::vector<double>(q.begin(), q.end()).data(), exact);
+      Floats matrix(9);
+      for (size_t k = 0; k < 9; ++k) {
+        matrix[k] = static_cast<float>(exact[k]) + random.Between(-1e-3, 1e-3);
+        exact[k] = matrix[k];
+      }
+      Orthonormalise(exact);
+      const gaunt_view view = ViewOf(matrix, 9);
+      float e = 0.0f;
+      ASSERT_EQ(gaunt_rotation_check(1, &view, &e), GAUNT_OK);
+      std::vector<double> f(in.begin(), in.end()), wanted(in.size());
+      rotate::RotateReference(static_cast<int>(n), 1, exact, f.data(), wanted.data());
+      const Floats found = Rotated(n, matrix, in, 9);
+      for (size_t i = 0; i < in.size(); ++i) {
+        const double error = std::abs(found[i] - wanted[i]);
+        ASSERT_LE(error, 2.5 * n * e + RotateTolerance(n)) << "order " << n;
+        largest = std::max(largest, error / (n * e));
+      }
+    }
+  }
+  EXPECT_GT(largest, 0.5);  // and not by much less
+}
+
 TEST_P(RotateAccuracy, MovesALobeForwards) {
   // A quarter turn about z takes +x to +y.
   const float half = std::sqrt(0.5f);

@@ -9,7 +9,6 @@
 #define GAUNT_ROTATE_BANDS_INL_H_
 #endif
 
-#include <limits>
 #include <utility>
 
 #include "rotate/each_band-inl.h"

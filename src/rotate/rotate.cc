@@ -51,8 +51,8 @@ std::array<float, kPlanes> FirstItem(const simd::InView& view) {
   return item;
 }
 
-// One rotation for many items is worth a plan, if it is one that copies more than one plane.
-// Measured: making it takes as long as it saves on some 100 to 400 items, most at low orders.
+// One rotation for many items is worth a plan, but not at order 1, where it is a copy. Measured:
+// making it takes as long as it saves on some 100 to 400 items, most at low orders.
 template <int n>
 constexpr size_t LeastPlannedItems() {
   return n == 1 ? std::numeric_limits<size_t>::max() : n <= kMaxTensorOrder ? 512 : 256;
