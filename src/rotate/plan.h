@@ -7,6 +7,7 @@
 #ifndef GAUNT_ROTATE_PLAN_H_
 #define GAUNT_ROTATE_PLAN_H_
 
+#include <array>
 #include <cstdint>
 
 #include "rotate/rotate.h"
@@ -47,6 +48,14 @@ struct Rotation {
 
   static Rotation OfQuaternion(const float quaternion[4]);
   static Rotation OfMatrix(const float matrix[9]);  // orthonormal, row-major
+
+  // Whether they may keep the z axis on its line, at a glance: most rotations do not.
+  static bool MayKeepZ(const std::array<float, 4>& q) {
+    return (q[0] == 0.0f && q[1] == 0.0f) || (q[2] == 0.0f && q[3] == 0.0f);
+  }
+  static bool MayKeepZ(const std::array<float, 9>& m) {
+    return m[2] == 0.0f && m[5] == 0.0f && m[6] == 0.0f && m[7] == 0.0f;
+  }
 
   Plan MakePlan(int order) const;
   // False if it does more than that.

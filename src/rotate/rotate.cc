@@ -139,10 +139,12 @@ bool OneBatch(const Rotation& rotation, size_t channels, size_t count, const sim
 template <int n>
 void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaternions,
                      const simd::InView& in, const simd::OutView& out) {
-  if (quaternions.IsBroadcast() &&
-      OneBatch<n>(Rotation::OfQuaternion(FirstItem<4>(quaternions).data()), channels, count, in,
-                  out)) {
-    return;
+  if (quaternions.IsBroadcast()) {
+    const auto one = FirstItem<4>(quaternions);
+    if ((count >= LeastPlannedItems<n>() || Rotation::MayKeepZ(one)) &&
+        OneBatch<n>(Rotation::OfQuaternion(one.data()), channels, count, in, out)) {
+      return;
+    }
   }
   EachQuaternionBatch<n>(channels, count, quaternions, in, out);
 }
@@ -150,9 +152,12 @@ void QuaternionBatch(size_t channels, size_t count, const simd::InView& quaterni
 template <int n>
 void MatrixBatch(size_t channels, size_t count, const simd::InView& matrices,
                  const simd::InView& in, const simd::OutView& out) {
-  if (matrices.IsBroadcast() &&
-      OneBatch<n>(Rotation::OfMatrix(FirstItem<9>(matrices).data()), channels, count, in, out)) {
-    return;
+  if (matrices.IsBroadcast()) {
+    const auto one = FirstItem<9>(matrices);
+    if ((count >= LeastPlannedItems<n>() || Rotation::MayKeepZ(one)) &&
+        OneBatch<n>(Rotation::OfMatrix(one.data()), channels, count, in, out)) {
+      return;
+    }
   }
   EachMatrixBatch<n>(channels, count, matrices, in, out);
 }
