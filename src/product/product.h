@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Products of two SH functions.
+#ifndef GAUNT_PRODUCT_PRODUCT_H_
+#define GAUNT_PRODUCT_PRODUCT_H_
+
+#include "simd/order.h"
+#include "simd/view.h"
+
+namespace gaunt::product {
+
+inline constexpr int kMaxOrder = 10;  // of a factor
+inline constexpr int kMaxOutOrder = 2 * kMaxOrder - 1;
+
+// Of the factors and of the product, which is cut off at its order.
+struct Orders {
+  int a, b, out;
+};
+
+using ProductFn = void (*)(const Orders& orders, size_t channels, size_t count,
+                           const simd::InView& a, const simd::InView& b, const simd::OutView& out);
+using SquareFn = void (*)(int order, int out_order, size_t channels, size_t count,
+                          const simd::InView& in, const simd::OutView& out);
+
+struct Table {
+  ProductFn product;
+  SquareFn square;
+};
+
+const Table& Kernels();
+
+}  // namespace gaunt::product
+
+#endif  // GAUNT_PRODUCT_PRODUCT_H_
