@@ -83,6 +83,8 @@ extern "C" {
 #define GAUNT_MAX_LIGHT_ORDER 6
 /** Highest order of rotation. */
 #define GAUNT_MAX_ROTATE_ORDER 16
+/** Highest order of a factor of a product, which has up to twice as many bands less one. */
+#define GAUNT_MAX_PRODUCT_ORDER 10
 #define GAUNT_MAX_CHANNELS 4
 
 /** Status of a call. Values never change. */
@@ -95,7 +97,8 @@ enum {
                                  overlap each other, or a broadcast output */
   GAUNT_ERROR_RANGE = -4,   /**< a count, size or number out of its range */
   GAUNT_ERROR_OVERLAP = -5, /**< an output that may meet an input or another output */
-  GAUNT_ERROR_FORMAT = -6,  /**< an unknown probe format or texel type */
+  GAUNT_ERROR_FORMAT = -6,  /**< an unknown probe format or texel type, or bytes that are not a
+                                 prepared product */
   GAUNT_ERROR_STRUCT = -7,  /**< a struct_size that no version of the struct has had */
   GAUNT_ERROR_TARGET = -8   /**< a SIMD target that is unknown or does not run here */
 };
@@ -640,6 +643,193 @@ GAUNT_API gaunt_status gaunt_zonal_rotate_add(uint32_t n, uint32_t channels, siz
 GAUNT_API gaunt_status gaunt_zonal_convolve(uint32_t n, uint32_t channels, size_t count,
                                             const gaunt_view* kernel, const gaunt_view* in,
                                             const gaunt_view* out);
+
+/* ---- product --------------------------------------------------------------------------------- */
+
+/**
+ * Multiplies SH functions, as functions on the sphere: light by visibility, for example.
+ *   out_k = sum over i, j of G_ijk a_i b_j,  G_ijk = the integral over the sphere of y_i y_j y_k
+ * (Gaunt coefficients). The product has n_a + n_b - 1 bands, of which `out` has the first n_out:
+ * the projection of the product, to which no function of that order is closer.
+ *
+ * n_a, n_b  orders of the factors, 1 .. GAUNT_MAX_PRODUCT_ORDER
+ * n_out     order of the result, 1 .. n_a + n_b - 1
+ * channels  1 .. GAUNT_MAX_CHANNELS: products of channel c of a with channel c of b
+ * count     pairs; broadcast either for one with many, and see gaunt_product_prepare()
+ * a         channels * n_a^2 planes
+ * b         channels * n_b^2 planes
+ * out       channels * n_out^2 planes, in the quantity of a times that of b
+ *
+ * a and b may be the same view; gaunt_product_square() is the faster for it.
+ *
+ * Accuracy:  |error| <= 4e-7 |a| |b| up to order 6, and 6e-7 |a| |b| above, with |a| and |b| the
+ *            norms of the channel's coefficients.
+ * Overlap:   in place on a if n_out = n_a, and on b if n_out = n_b.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_product(uint32_t n_a, uint32_t n_b, uint32_t n_out, uint32_t channels,
+                                     size_t count, const gaunt_view* a, const gaunt_view* b,
+                                     const gaunt_view* out);
+
+/**
+ * Squares SH functions: gaunt_product() of a with itself, in fewer operations.
+ *
+ * n         order of a, 1 .. GAUNT_MAX_PRODUCT_ORDER
+ * n_out     order of the result, 1 .. 2 n - 1
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     items
+ * a         channels * n^2 planes
+ * out       channels * n_out^2 planes
+ *
+ * Accuracy:  as gaunt_product().
+ * Overlap:   in place on a if n_out = n.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_product_square(uint32_t n, uint32_t n_out, uint32_t channels,
+                                            size_t count, const gaunt_view* a,
+                                            const gaunt_view* out);
+
+/**
+ * Multiplies by functions that are symmetric about +z: gaunt_product() with an a whose coefficients
+ * are those of `zonal` at (l, 0) and 0 elsewhere, in fewer operations.
+ *
+ * n_z       order of the zonal functions, 1 .. GAUNT_MAX_PRODUCT_ORDER
+ * n_b       order of b, 1 .. GAUNT_MAX_PRODUCT_ORDER
+ * n_out     order of the result, 1 .. n_z + n_b - 1
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     pairs; broadcast either for one with many
+ * zonal     channels * n_z planes, channel * n_z + l: the (l, 0) coefficients
+ * b         channels * n_b^2 planes
+ * out       channels * n_out^2 planes
+ *
+ * Accuracy:  as gaunt_product().
+ * Overlap:   in place on b if n_out = n_b.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_product_zonal(uint32_t n_z, uint32_t n_b, uint32_t n_out,
+                                           uint32_t channels, size_t count, const gaunt_view* zonal,
+                                           const gaunt_view* b, const gaunt_view* out);
+
+/**
+ * Multiplies by functions that are symmetric about an axis of each item: gaunt_product() with an a
+ * that gaunt_zonal_rotate() makes of `zonal` and `axes`.
+ *
+ * n_out  order of the result, 1 .. the least of n_z + n_b - 1 and GAUNT_MAX_ROTATE_ORDER
+ * axes   3 planes, unit vectors
+ *
+ * Other arguments, overlap and status as for gaunt_product_zonal().
+ *
+ * Accuracy:  |error| <= 2e-6 |zonal| |b| up to order 6, and 6e-6 |zonal| |b| above.
+ */
+GAUNT_API gaunt_status gaunt_product_zonal_axis(uint32_t n_z, uint32_t n_b, uint32_t n_out,
+                                                uint32_t channels, size_t count,
+                                                const gaunt_view* zonal, const gaunt_view* axes,
+                                                const gaunt_view* b, const gaunt_view* out);
+
+/**
+ * Multiplies by the upper hemisphere, cutting off what comes from below the horizon:
+ *   out_i = the integral over z > 0 of in(s) y_i(s) ds,
+ * the projection onto order n of the function that is in(s) where z > 0 and 0 elsewhere (Sloan's
+ * HemiMult, for every order). The hemisphere is exact, with all of its bands.
+ *
+ * The result is a projection that has lost bands, so it is not 0 below the horizon, and to multiply
+ * again takes away from it again: do it once. At order 6 the matrix has eigenvalues anywhere from
+ * 2.4e-7 to 1 - 2.4e-7.
+ *
+ * n         order, 1 .. GAUNT_MAX_PRODUCT_ORDER
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     items
+ * in, out   channels * n^2 planes
+ *
+ * Accuracy:  |error| <= 2e-7 of the norm of the channel's coefficients.
+ * Overlap:   in place on `in`.
+ * Source:    Sloan 2008, appendix A7.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_product_hemisphere(uint32_t n, uint32_t channels, size_t count,
+                                                const gaunt_view* in, const gaunt_view* out);
+
+/**
+ * Multiplies by the hemisphere about an axis of each item, a normal for example: the integral over
+ * s . axes(i) > 0. Arguments, overlap and status as for gaunt_product_hemisphere().
+ *
+ * axes  3 planes, unit vectors
+ *
+ * Accuracy:  |error| <= 3e-6 of that norm up to order 6, and 8e-6 above.
+ */
+GAUNT_API gaunt_status gaunt_product_hemisphere_axis(uint32_t n, uint32_t channels, size_t count,
+                                                     const gaunt_view* axes, const gaunt_view* in,
+                                                     const gaunt_view* out);
+
+/**
+ * Multiplies by the clamped cosine of the angle from +z:
+ *   out_i = the integral over z > 0 of in(s) z y_i(s) ds,
+ * the projection onto order n of in(s) max(z, 0) (Sloan's CosMult, for every order). There is no
+ * 1/pi in it: of radiance L, sqrt(4 pi) out_0 is the irradiance E of a surface that faces +z.
+ *
+ * Arguments, overlap, source and status as for gaunt_product_hemisphere().
+ *
+ * Accuracy:  |error| <= 2e-7 of the norm of the channel's coefficients.
+ */
+GAUNT_API gaunt_status gaunt_product_cosine(uint32_t n, uint32_t channels, size_t count,
+                                            const gaunt_view* in, const gaunt_view* out);
+
+/**
+ * Multiplies by the clamped cosine of the angle from an axis of each item, max(s . axes(i), 0).
+ * Arguments, overlap and status as for gaunt_product_hemisphere_axis().
+ *
+ * Accuracy:  as gaunt_product_hemisphere_axis().
+ */
+GAUNT_API gaunt_status gaunt_product_cosine_axis(uint32_t n, uint32_t channels, size_t count,
+                                                 const gaunt_view* axes, const gaunt_view* in,
+                                                 const gaunt_view* out);
+
+/**
+ * Prepares products of one function with many: writes bytes with which gaunt_product_apply()
+ * multiplies by f, in fewer operations than gaunt_product() of a broadcast f.
+ *
+ * The bytes are the same on every SIMD target. They hold no pointers, need no alignment, and may be
+ * copied, or saved to a file for machines of the same byte order.
+ *
+ * n_f      order of f, 1 .. GAUNT_MAX_PRODUCT_ORDER
+ * n_in     order of what will be multiplied, 1 .. GAUNT_MAX_PRODUCT_ORDER
+ * n_out    order of the results, 1 .. n_f + n_in - 1
+ * f        n_f^2 planes of 1 item, for all channels alike; may be NULL if op is
+ * op       receives the bytes; NULL: only their number is wanted
+ * op_size  the capacity of op, at least the number of bytes; not read if op is NULL. Receives the
+ *          number of bytes, which depends on the orders alone.
+ *
+ * A NaN or an infinity in f makes the outputs of gaunt_product_apply() unspecified.
+ *
+ * Accuracy:  see gaunt_product_apply().
+ * Overlap:   none between f, op and op_size.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE (a capacity that is too small), _NULL, _LAYOUT,
+ * _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_product_prepare(uint32_t n_f, uint32_t n_in, uint32_t n_out,
+                                             const gaunt_view* f, void* op, size_t* op_size);
+
+/**
+ * Multiplies SH functions by a prepared one: gaunt_product() of f and `in`, channel by channel.
+ *
+ * op        the bytes that gaunt_product_prepare() wrote, any alignment; they say n_in and n_out
+ * op_size   their number
+ * channels  1 .. GAUNT_MAX_CHANNELS
+ * count     items
+ * in        channels * n_in^2 planes
+ * out       channels * n_out^2 planes
+ *
+ * Of the bytes, the header and the number are checked, the rest is not: of others that say that
+ * they are such bytes, outputs are unspecified.
+ *
+ * Accuracy:  as gaunt_product().
+ * Overlap:   in place on `in` if n_out = n_in; none with op.
+ * Returns GAUNT_OK; GAUNT_ERROR_FORMAT if the bytes are not those of gaunt_product_prepare(),
+ * GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_product_apply(const void* op, size_t op_size, uint32_t channels,
+                                           size_t count, const gaunt_view* in,
+                                           const gaunt_view* out);
 
 /* ---- light ----------------------------------------------------------------------------------- */
 

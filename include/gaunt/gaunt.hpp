@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "gaunt/gaunt.h"
 
@@ -205,6 +206,74 @@ inline void ZonalConvolve(uint32_t n, uint32_t channels, size_t count, const InV
                           const InView& in, const OutView& out) {
   detail::Check("gaunt_zonal_convolve",
                 gaunt_zonal_convolve(n, channels, count, kernel.get(), in.get(), out.get()));
+}
+
+inline void Product(uint32_t n_a, uint32_t n_b, uint32_t n_out, uint32_t channels, size_t count,
+                    const InView& a, const InView& b, const OutView& out) {
+  detail::Check("gaunt_product",
+                gaunt_product(n_a, n_b, n_out, channels, count, a.get(), b.get(), out.get()));
+}
+
+inline void ProductSquare(uint32_t n, uint32_t n_out, uint32_t channels, size_t count,
+                          const InView& a, const OutView& out) {
+  detail::Check("gaunt_product_square",
+                gaunt_product_square(n, n_out, channels, count, a.get(), out.get()));
+}
+
+inline void ProductZonal(uint32_t n_z, uint32_t n_b, uint32_t n_out, uint32_t channels,
+                         size_t count, const InView& zonal, const InView& b, const OutView& out) {
+  detail::Check("gaunt_product_zonal", gaunt_product_zonal(n_z, n_b, n_out, channels, count,
+                                                           zonal.get(), b.get(), out.get()));
+}
+
+inline void ProductZonalAxis(uint32_t n_z, uint32_t n_b, uint32_t n_out, uint32_t channels,
+                             size_t count, const InView& zonal, const InView& axes, const InView& b,
+                             const OutView& out) {
+  detail::Check("gaunt_product_zonal_axis",
+                gaunt_product_zonal_axis(n_z, n_b, n_out, channels, count, zonal.get(), axes.get(),
+                                         b.get(), out.get()));
+}
+
+inline void ProductHemisphere(uint32_t n, uint32_t channels, size_t count, const InView& in,
+                              const OutView& out) {
+  detail::Check("gaunt_product_hemisphere",
+                gaunt_product_hemisphere(n, channels, count, in.get(), out.get()));
+}
+
+inline void ProductHemisphereAxis(uint32_t n, uint32_t channels, size_t count, const InView& axes,
+                                  const InView& in, const OutView& out) {
+  detail::Check("gaunt_product_hemisphere_axis",
+                gaunt_product_hemisphere_axis(n, channels, count, axes.get(), in.get(), out.get()));
+}
+
+inline void ProductCosine(uint32_t n, uint32_t channels, size_t count, const InView& in,
+                          const OutView& out) {
+  detail::Check("gaunt_product_cosine",
+                gaunt_product_cosine(n, channels, count, in.get(), out.get()));
+}
+
+inline void ProductCosineAxis(uint32_t n, uint32_t channels, size_t count, const InView& axes,
+                              const InView& in, const OutView& out) {
+  detail::Check("gaunt_product_cosine_axis",
+                gaunt_product_cosine_axis(n, channels, count, axes.get(), in.get(), out.get()));
+}
+
+// The bytes for ProductApply().
+inline std::vector<unsigned char> ProductPrepare(uint32_t n_f, uint32_t n_in, uint32_t n_out,
+                                                 const InView& f) {
+  size_t size = 0;
+  detail::Check("gaunt_product_prepare",
+                gaunt_product_prepare(n_f, n_in, n_out, nullptr, nullptr, &size));
+  std::vector<unsigned char> op(size);
+  detail::Check("gaunt_product_prepare",
+                gaunt_product_prepare(n_f, n_in, n_out, f.get(), op.data(), &size));
+  return op;
+}
+
+inline void ProductApply(const void* op, size_t op_size, uint32_t channels, size_t count,
+                         const InView& in, const OutView& out) {
+  detail::Check("gaunt_product_apply",
+                gaunt_product_apply(op, op_size, channels, count, in.get(), out.get()));
 }
 
 inline void LightDirection(uint32_t n, uint32_t channels, size_t count, const InView& in,

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Products of one function with many, from bytes that are made once: its values at the nodes of a
+// quadrature, or its matrix.
+#ifndef GAUNT_PRODUCT_PREPARED_H_
+#define GAUNT_PRODUCT_PREPARED_H_
+
+#include <cstddef>
+#include <cstdint>
+
+#include "product/product.h"
+
+namespace gaunt::product::prepared {
+
+// At the start of the bytes, which have any alignment; floats follow.
+struct Header {
+  uint32_t magic, version;
+  uint32_t f, in, out;  // orders
+  uint32_t kind;
+};
+
+size_t SizeOf(int order_f, int order_in, int order_out);
+// Writes SizeOf() bytes from an item of order_f^2 planes.
+void Prepare(int order_f, int order_in, int order_out, const simd::InView& f, void* bytes);
+// Whether they are what Prepare() writes, by their header and size.
+bool IsValid(const void* bytes, size_t size, int* order_in, int* order_out);
+
+struct Table {
+  void (*apply)(const void* bytes, size_t channels, size_t count, const simd::InView& in,
+                const simd::OutView& out);
+};
+
+const Table& Kernels();
+
+}  // namespace gaunt::product::prepared
+
+#endif  // GAUNT_PRODUCT_PREPARED_H_
