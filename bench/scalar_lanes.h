@@ -58,6 +58,7 @@ struct ScalarOut {
 struct ScalarLanes {
   using V = Scalar;
   Scalar operator()(double c) const { return {static_cast<float>(c)}; }
+  ScalarIn Floats(const void* data) const { return {static_cast<const float*>(data)}; }
 
   template <int kCount>
   struct Slots {

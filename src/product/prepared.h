@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "product/grid.h"
 #include "product/product.h"
 
 namespace gaunt::product::prepared {
@@ -17,6 +18,20 @@ struct Header {
   uint32_t f, in, out;  // orders
   uint32_t kind;
 };
+
+// A matrix, out^2 rows of in^2 entries, where all orders are the same and low; else values on the
+// grid.
+enum Kind : uint32_t { kMatrix, kValues };
+inline constexpr int kMaxMatrixOrder = 5;
+
+constexpr Degrees DegreesOf(const Header& header) {
+  return Coupled({static_cast<int>(header.f), static_cast<int>(header.in),
+                  static_cast<int>(header.out)});
+}
+constexpr int GridOf(const Header& header) {
+  const Degrees degrees = DegreesOf(header);
+  return product::GridOf(degrees.a + degrees.b + degrees.out);
+}
 
 size_t SizeOf(int order_f, int order_in, int order_out);
 // Writes SizeOf() bytes from an item of order_f^2 planes.

@@ -16,6 +16,17 @@ struct Orders {
   int a, b, out;
 };
 
+// Degrees without the bands that couple with nothing: none is above the sum of the others.
+struct Degrees {
+  int a, b, out;
+};
+constexpr Degrees Coupled(const Orders& orders) {
+  const Degrees all = {orders.a - 1, orders.b - 1, orders.out - 1};
+  const auto limit = [](int degree, int sum) { return degree < sum ? degree : sum; };
+  return {limit(all.a, all.b + all.out), limit(all.b, all.a + all.out),
+          limit(all.out, all.a + all.b)};
+}
+
 using ProductFn = void (*)(const Orders& orders, size_t channels, size_t count,
                            const simd::InView& a, const simd::InView& b, const simd::OutView& out);
 using SquareFn = void (*)(int order, int out_order, size_t channels, size_t count,

@@ -125,6 +125,12 @@ class Side {
   size_t items_;  // that the tiles hold
 };
 
+// Where a kernel wants an input: wherever it lies; with planes close together, for kernels that read
+// them again and again, which planes far apart would keep out of the first cache; or in tiles of its
+// own, for kernels that write their output before they have read all of it.
+enum class Place { kAnywhere, kNearby, kApart };
+inline constexpr ptrdiff_t kNearbyStride = 4 * kTileStride;
+
 class InSide : public Side<InCursor, simd::InView> {
  public:
   HWY_NOINLINE InCursor Begin(size_t first, size_t n) {
@@ -138,9 +144,13 @@ class InSide : public Side<InCursor, simd::InView> {
   void Finish() {}
 
  protected:
-  HWY_NOINLINE InSide(const simd::InView& view, size_t planes, size_t first, float* tile,
-                      size_t items)
+  HWY_NOINLINE InSide(const simd::InView& view, size_t planes, size_t first, Place place,
+                      float* tile, size_t items)
       : Side(view, planes, first, tile, items), splat_(view.IsBroadcast()) {
+    const ptrdiff_t stride = view.plane_stride < 0 ? -view.plane_stride : view.plane_stride;
+    if (place == Place::kApart || (place == Place::kNearby && stride > kNearbyStride)) {
+      direct_ = false;
+    }
     if (!splat_) return;
     LoadTiles(view, RowShape::kOther, 0, 1, planes, tile);
     direct_ = true;
@@ -190,8 +200,9 @@ struct TileStorage {
 template <size_t kPlanes>
 class In : private TileStorage<kPlanes>, public InSide {
  public:
-  explicit In(const simd::InView& view, size_t planes = kPlanes, size_t first = 0)
-      : InSide(view, planes, first, this->tile, TileStorage<kPlanes>::kItems) {}
+  explicit In(const simd::InView& view, size_t planes = kPlanes, size_t first = 0,
+              Place place = Place::kAnywhere)
+      : InSide(view, planes, first, place, this->tile, TileStorage<kPlanes>::kItems) {}
 };
 
 template <size_t kPlanes>

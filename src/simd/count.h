@@ -67,6 +67,7 @@ struct CountPlanes {
   CountPlanes From(size_t) const { return {}; }
   Counted operator()(size_t) const { return ++CountedOperations().load, Counted(); }
   void operator()(size_t, Counted) const { ++CountedOperations().store; }
+  CountPlanes Read() const { return {}; }
   ptrdiff_t Offset(ptrdiff_t) const { return 0; }
   Counted At(ptrdiff_t) const { return ++CountedOperations().load, Counted(); }
   void At(ptrdiff_t, Counted) const { ++CountedOperations().store; }
@@ -75,6 +76,7 @@ struct CountPlanes {
 struct CountLanes {
   using V = Counted;
   Counted operator()(double) const { return {}; }
+  CountPlanes Floats(const void*) const { return {}; }
   template <int>
   struct Slots {
     Counted operator()(size_t) const { return {}; }

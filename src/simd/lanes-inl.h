@@ -101,6 +101,7 @@ struct PlanesOut {
   GAUNT_LANES void operator()(size_t p, hn::Vec<LaneTag> v) const {
     At(static_cast<ptrdiff_t>(p) * stride, v);
   }
+  GAUNT_LANES PlanesIn Read() const { return {data, stride}; }
   GAUNT_LANES ptrdiff_t Offset(ptrdiff_t p) const { return p * stride; }
   GAUNT_LANES void At(ptrdiff_t offset, hn::Vec<LaneTag> v) const {
     hn::StoreU(v, LaneTag(), reinterpret_cast<float*>(data + offset));
@@ -112,15 +113,21 @@ struct Lanes {
   using V = hn::Vec<LaneTag>;
 
   GAUNT_LANES V operator()(double c) const { return hn::Set(LaneTag(), static_cast<float>(c)); }
+  // Constants in memory of any alignment.
+  GAUNT_LANES SplatIn Floats(const void* data) const {
+    return {static_cast<const unsigned char*>(data), sizeof(float)};
+  }
 
+  // As close together as the widest vector of the target permits: the first cache should hold them.
   template <int kCount>
   struct Slots {
-    HWY_ALIGN float data[kCount * kMaxLanes];
-    GAUNT_LANES V operator()(size_t p) const { return hn::Load(LaneTag(), data + p * kMaxLanes); }
-    GAUNT_LANES void operator()(size_t p, V v) { hn::Store(v, LaneTag(), data + p * kMaxLanes); }
+    static constexpr size_t kStride = hn::MaxLanes(LaneTag());
+    HWY_ALIGN float data[kCount * kStride];
+    GAUNT_LANES V operator()(size_t p) const { return hn::Load(LaneTag(), data + p * kStride); }
+    GAUNT_LANES void operator()(size_t p, V v) { hn::Store(v, LaneTag(), data + p * kStride); }
     // The slots as planes, to be read.
     GAUNT_LANES PlanesIn Planes() const {
-      return {reinterpret_cast<const unsigned char*>(data), kMaxLanes * sizeof(float)};
+      return {reinterpret_cast<const unsigned char*>(data), kStride * sizeof(float)};
     }
   };
 

@@ -19,8 +19,6 @@ inline simd::InView AsInput(const simd::OutView& view) {
   return {view.data, view.item_stride, view.plane_stride, view.tile_stride, view.tile_items};
 }
 
-GAUNT_LANES PlanesIn AsRead(const PlanesOut& planes) { return {planes.data, planes.stride}; }
-
 // Runs a kernel that writes coefficients of order n, or adds to them.
 template <int n, bool kAdd, class Kernel, class... Ins>
 void ForEachOutput(size_t channels, size_t count, const Kernel& kernel, const simd::OutView& out,
@@ -157,7 +155,7 @@ class BandOutput {
   template <class In>
   static GAUNT_LANES void Scale(int l, const float* factor, const In& in, const PlanesOut& to) {
     if constexpr (kAdd) {
-      ScaleBand{l}(Lanes(), TileIn(factor), in, to, AsRead(to));
+      ScaleBand{l}(Lanes(), TileIn(factor), in, to, to.Read());
     } else {
       ScaleBand{l}(Lanes(), TileIn(factor), in, to);
     }
@@ -214,7 +212,7 @@ void RotateColumns(int order, size_t channels, const FactorTile& factors,
     const PlanesOut to = output.Here(first + i);
     const PlanesIn zonal = TileIn(factors.Plane(0, 0) + i);
     if constexpr (kAdd) {
-      const AddToPlanes<PlanesOut, PlanesIn> add = {to, AsRead(to)};
+      const AddToPlanes<PlanesOut, PlanesIn> add = {to, to.Read()};
       return EmitProducts<PlanesIn, decltype(add)>{zonal, add, n, channels};
     } else {
       const SetPlanes<PlanesOut> set = {to};

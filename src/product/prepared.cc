@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "product/prepared.h"
+
+#include <cstring>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "product/prepared.cc"
+#include <hwy/foreach_target.h>
+
+#include "product/matrix-inl.h"
+#include "product/product-inl.h"
+#include "simd/batch-inl.h"
+#include "simd/export-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gaunt::product::prepared::HWY_NAMESPACE {
+
+using namespace gaunt::product::HWY_NAMESPACE;  // NOLINT(build/namespaces)
+
+// Runs a kernel on each channel.
+template <size_t kMaxIn, size_t kMaxOut, class Kernel>
+void ForChannels(const Header& header, const Kernel& kernel, Place place, size_t channels,
+                 size_t count, const simd::InView& in, const simd::OutView& out) {
+  const size_t in_planes = header.in * header.in, out_planes = header.out * header.out;
+  for (size_t c = 0; c < channels; ++c) {
+    ForEachBatch(count, kernel, In<kMaxIn>(in.FromPlane(c * in_planes), in_planes, 0, place),
+                 Out<kMaxOut>(out.FromPlane(c * out_planes), out_planes));
+  }
+}
+
+constexpr size_t kMaxInPlanes = NumCoefficients(kMaxOrder);
+constexpr size_t kMaxOutPlanes = NumCoefficients(kMaxOutOrder);
+
+using ApplyFn = void (*)(const Header& header, const void* values, size_t channels, size_t count,
+                         const simd::InView& in, const simd::OutView& out);
+
+template <int n>
+void ApplyMatrix(const Header& header, const void* values, size_t channels, size_t count,
+                 const simd::InView& in, const simd::OutView& out) {
+  constexpr int kPlanes = NumCoefficients(n);
+  ForChannels<kPlanes, kPlanes>(header, Matrix<kPlanes>{values}, Place::kNearby, channels, count,
+                                in, out);
+}
+template <int... n>
+constexpr auto MakeMatrices(std::integer_sequence<int, 0, n...>) {
+  struct Matrices {
+    ApplyFn apply[sizeof...(n) + 1];
+  };
+  return Matrices{{nullptr, &ApplyMatrix<n>...}};
+}
+constexpr auto kMatrices = MakeMatrices(gaunt::Orders<kMaxMatrixOrder>());
+
+template <int n>
+void ApplyFixed(const Header& header, const void* values, size_t channels, size_t count,
+                const simd::InView& in, const simd::OutView& out) {
+  const PreparedKernel<n> kernel = {values};
+  ForChannels<NumCoefficients(n), NumCoefficients(n)>(header, kernel, Place::kNearby, channels,
+                                                      count, in, out);
+}
+
+template <int M>
+void ApplyAny(const Header& header, const void* values, size_t channels, size_t count,
+              const simd::InView& in, const simd::OutView& out) {
+  const AnyGrid<M, kLevel> kernel = {DegreesOf(header), values};
+  if (header.out <= kMaxOrder) {
+    ForChannels<kMaxInPlanes, kMaxInPlanes>(header, kernel, Place::kApart, channels, count, in,
+                                            out);
+  } else {
+    ForChannels<kMaxInPlanes, kMaxOutPlanes>(header, kernel, Place::kApart, channels, count, in,
+                                             out);
+  }
+}
+template <int... i>
+constexpr auto MakeAnyCases(std::integer_sequence<int, i...>) {
+  struct Cases {
+    ApplyFn apply[sizeof...(i)];
+  };
+  return Cases{{&ApplyAny<kPointCounts[i]>...}};
+}
+constexpr auto kAnyCases = MakeAnyCases(std::make_integer_sequence<int, kNumPointCounts>());
+
+void Apply(const void* bytes, size_t channels, size_t count, const simd::InView& in,
+           const simd::OutView& out) {
+  Header header;
+  std::memcpy(&header, bytes, sizeof(header));
+  const void* const values = static_cast<const unsigned char*>(bytes) + sizeof(header);
+  const ApplyFn apply = header.kind == kMatrix ? kMatrices.apply[header.in]
+                        : header.f == 6 && header.in == 6 && header.out == 6
+                            ? &ApplyFixed<6>
+                            : kAnyCases.apply[PointCase(GridOf(header))];
+  apply(header, values, channels, count, in, out);
+}
+
+const Table* GetTable() {
+  static constexpr Table kTable = {&Apply};
+  return &kTable;
+}
+
+}  // namespace gaunt::product::prepared::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+GAUNT_EXPORT_FAMILY(product::prepared);
