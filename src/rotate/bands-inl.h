@@ -202,18 +202,16 @@ struct SetTurns {
   }
 };
 
-// Band l of one channel, unrolled.
+// The steps of band l of one channel, unrolled: turns about z, and the swap of the table.
 template <int l>
-struct RotateBand {
-  template <class K, class Slots, class In, class Out>
-  GAUNT_LANES void operator()(const K& k, const Slots& turns, const In& in, const Out& out) const {
-    if constexpr (l == 0) return out(0, in(0));
-    typename K::template Slots<2 * l + 1> turned, swapped;
-    TurnAll<kFirstTurn, kFirstTurnOfSines>(turns, in, turned, Pairs());
-    SwapAll(k, turned, swapped, Rows());
-    TurnAll<kMiddleTurn, kMiddleTurn>(turns, swapped, turned, Pairs());
-    SwapAll(k, turned, swapped, Rows());
-    TurnAll<kLastTurn, kLastTurn>(turns, swapped, out, Pairs());
+struct BandSteps {
+  template <int turn, int turn_of_sines, class Slots, class From, class To>
+  static GAUNT_LANES void TurnAboutZ(const Slots& turns, const From& from, To& to) {
+    TurnAll<turn, turn_of_sines>(turns, from, to, Pairs());
+  }
+  template <class K, class From, class To>
+  static GAUNT_LANES void Swap(const K& k, const From& from, To& to) {
+    SwapAll(k, from, to, Rows());
   }
 
  private:
@@ -284,6 +282,22 @@ struct RotateBand {
       return MulAdd(k(kEntry), from(l + side * last),
                     SwapSum<m_out, side, first, last - 2>(k, from));
     }
+  }
+};
+
+// Band l of one channel.
+template <int l>
+struct RotateBand {
+  template <class K, class Slots, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const Slots& turns, const In& in, const Out& out) const {
+    if constexpr (l == 0) return out(0, in(0));
+    using Steps = BandSteps<l>;
+    typename K::template Slots<2 * l + 1> turned, swapped;
+    Steps::template TurnAboutZ<kFirstTurn, kFirstTurnOfSines>(turns, in, turned);
+    Steps::Swap(k, turned, swapped);
+    Steps::template TurnAboutZ<kMiddleTurn, kMiddleTurn>(turns, swapped, turned);
+    Steps::Swap(k, turned, swapped);
+    Steps::template TurnAboutZ<kLastTurn, kLastTurn>(turns, swapped, out);
   }
 };
 

@@ -24,7 +24,7 @@ using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 inline constexpr int kMaxInlinedOrder = 8;
 inline constexpr int kAnyOrder = 0;
 
-template <template <int> class Band, class K, class Context, class In, class Out>
+template <template <int> class Band, int kBands, class K, class Context, class In, class Out>
 class BandFunctions {
  public:
   static void Call(int l, const K& k, const Context& context, const In& in, const Out& out) {
@@ -39,11 +39,11 @@ class BandFunctions {
     Band<l>()(k, context, in, out);
   }
   template <int... l>
-  static constexpr std::array<Function, kMaxOrder> Make(std::integer_sequence<int, l...>) {
+  static constexpr std::array<Function, kBands> Make(std::integer_sequence<int, l...>) {
     return {&Run<l>...};
   }
-  static constexpr std::array<Function, kMaxOrder> kFunctions =
-      Make(std::make_integer_sequence<int, kMaxOrder>());
+  static constexpr std::array<Function, kBands> kFunctions =
+      Make(std::make_integer_sequence<int, kBands>());
 };
 
 template <template <int> class Band, class K, class Context, class In, class Out, int... l>
@@ -53,8 +53,9 @@ GAUNT_LANES void InlineBands(const K& k, const Context& context, const In& in, c
 }
 
 // Band<l>()(k, context, in, out) for each band l < order of each channel, whose planes begin at m =
-// -l; n is the order or kAnyOrder.
-template <int n, template <int> class Band, class K, class Context, class In, class Out>
+// -l; n is the order or kAnyOrder, for orders up to kBands.
+template <int n, template <int> class Band, int kBands = kMaxOrder, class K, class Context,
+          class In, class Out>
 GAUNT_LANES void ForEachBand(const K& k, int order, size_t channels, const Context& context,
                              const In& in, const Out& out) {
   for (size_t c = 0; c < channels; ++c) {
@@ -66,7 +67,7 @@ GAUNT_LANES void ForEachBand(const K& k, int order, size_t channels, const Conte
     } else {
       for (int l = 0; l < order; ++l) {
         const size_t band = static_cast<size_t>(l * l);
-        BandFunctions<Band, K, Context, In, Out>::Call(l, k, context, from.From(band),
+        BandFunctions<Band, kBands, K, Context, In, Out>::Call(l, k, context, from.From(band),
                                                        to.From(band));
       }
     }

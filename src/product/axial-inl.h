@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+// Kernels of products with functions that are symmetric about z: for each m, one symmetric matrix
+// that is the same for m and -m. That of a zonal function is made from it, others are constants.
+// Each m is read before it is written, so that outputs of the same order may be in place.
+#if defined(GAUNT_PRODUCT_AXIAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GAUNT_PRODUCT_AXIAL_INL_H_
+#undef GAUNT_PRODUCT_AXIAL_INL_H_
+#else
+#define GAUNT_PRODUCT_AXIAL_INL_H_
+#endif
+
+#include <algorithm>
+#include <utility>
+
+#include "product/axial_constants.h"
+#include "product/product.h"
+#include "simd/lanes-inl.h"
+#include "simd/order.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gaunt::product::axial::HWY_NAMESPACE {
+
+using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
+
+// The coefficients +m and -m of order n, times a matrix: Entries gives its elements, and has
+// IsZero(l1, l2, m) for those that vanish.
+template <int n, int m, class Entries>
+struct MultiplyColumn {
+  template <class In, class Out>
+  GAUNT_LANES void operator()(const Entries& entries, const In& in, const Out& out) const {
+    Side<1>(entries, in, out, Bands());
+    if constexpr (m != 0) Side<-1>(entries, in, out, Bands());
+  }
+
+ private:
+  using Bands = std::make_integer_sequence<int, n - m>;
+
+  template <int side, class In, class Out, int... i>
+  static GAUNT_LANES void Side(const Entries& entries, const In& in, const Out& out,
+                               std::integer_sequence<int, i...>) {
+    Write<side>(out, std::integer_sequence<int, i...>(),
+                Row<side, m + i, LastOf(m + i, n - 1)>(entries, in)...);
+  }
+
+  template <int side, class Out, class... V, int... i>
+  static GAUNT_LANES void Write(const Out& out, std::integer_sequence<int, i...>, V... rows) {
+    (out(CoefficientIndex(m + i, side * m), rows), ...);
+  }
+
+  // The last band, up to l, that row l1 has an entry for; m - 1 if there is none.
+  static constexpr int LastOf(int l1, int l) {
+    while (l >= m && Entries::IsZero(l1, l, m)) --l;
+    return l;
+  }
+
+  template <int side, int l1, int l2, class In>
+  static GAUNT_LANES auto Row(const Entries& entries, const In& in) {
+    constexpr int kBefore = LastOf(l1, l2 - 1);
+    const auto entry = entries.template At<l1, l2, m>();
+    const auto coefficient = in(CoefficientIndex(l2, side * m));
+    if constexpr (kBefore < m) {
+      return Mul(entry, coefficient);
+    } else {
+      return MulAdd(entry, coefficient, Row<side, l1, kBefore>(entries, in));
+    }
+  }
+};
+
+// The entries of one m that zonal functions give, in slots.
+template <class K, int n, int m>
+class ZonalEntries {
+ public:
+  // zonal(0) has been multiplied by kConstant.
+  template <class Zonal>
+  GAUNT_LANES ZonalEntries(const K& k, const Zonal& zonal) {
+    SetAll(k, zonal, std::make_integer_sequence<int, Index(n, m)>());
+  }
+
+  static constexpr bool IsZero(int, int, int) { return false; }
+  template <int l1, int l2, int>
+  GAUNT_LANES typename K::V At() const {
+    return entry_(l1 > l2 ? Index(l1, l2) : Index(l2, l1));
+  }
+
+ private:
+  static constexpr int Index(int high, int low) {
+    return (high - m) * (high - m + 1) / 2 + low - m;
+  }
+  static constexpr int HighOf(int index) {
+    int high = m;
+    while (Index(high + 1, m) <= index) ++high;
+    return high;
+  }
+
+  template <class Zonal, int... i>
+  GAUNT_LANES void SetAll(const K& k, const Zonal& zonal, std::integer_sequence<int, i...>) {
+    (Set<HighOf(i), i - Index(HighOf(i), m) + m>(k, zonal), ...);
+  }
+
+  template <int high, int low, class Zonal>
+  GAUNT_LANES void Set(const K& k, const Zonal& zonal) {
+    constexpr int kLast = n - 1 - (n - 1 + high + low) % 2;
+    entry_(Index(high, low), Sum<high, low, std::min(kLast, high + low)>(k, zonal));
+  }
+
+  // Of the bands of the zonal function from `last` down by twos.
+  template <int high, int low, int last, class Zonal>
+  static GAUNT_LANES typename K::V Sum(const K& k, const Zonal& zonal) {
+    if constexpr (last == 0) {
+      return zonal(0);
+    } else {
+      constexpr double kEntry = ZonalEntry(last, low, high, m);
+      if constexpr (kEntry == 0.0) {
+        return Sum<high, low, last - 2>(k, zonal);
+      } else if constexpr (last == high - low) {
+        return Mul(k(kEntry), zonal(last));
+      } else {
+        return MulAdd(k(kEntry), zonal(last), Sum<high, low, last - 2>(k, zonal));
+      }
+    }
+  }
+
+  typename K::template Slots<Index(n, m)> entry_;
+};
+
+// Zonal functions times functions, all of order n.
+template <int n>
+struct MultiplyByZonal {
+  size_t channels;
+
+  template <class K, class Zonal, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const Zonal& zonal, const In& in, const Out& out) const {
+    for (size_t c = 0; c < channels; ++c) {
+      typename K::template Slots<n> bands;
+      const auto from = zonal.From(c * n);
+      bands(0, Mul(k(kConstant), from(0)));
+      Copy(from, bands, std::make_integer_sequence<int, n - 1>());
+      Columns(k, bands, in.From(c * kPlanes), out.From(c * kPlanes),
+              std::make_integer_sequence<int, n>());
+    }
+  }
+
+ private:
+  static constexpr size_t kPlanes = NumCoefficients(n);
+
+  template <class From, class To, int... i>
+  static GAUNT_LANES void Copy(const From& from, To& to, std::integer_sequence<int, i...>) {
+    (to(i + 1, from(i + 1)), ...);
+  }
+
+  template <class K, class Zonal, class In, class Out, int... m>
+  static GAUNT_LANES void Columns(const K& k, const Zonal& zonal, const In& in, const Out& out,
+                                  std::integer_sequence<int, m...>) {
+    (MultiplyColumn<n, m, ZonalEntries<K, n, m>>()(ZonalEntries<K, n, m>(k, zonal), in, out), ...);
+  }
+};
+
+template <class K, class Matrix>
+struct FixedEntries {
+  const K& k;
+  static constexpr bool IsZero(int l1, int l2, int m) { return Matrix::Entry(l1, l2, m) == 0.0; }
+  template <int l1, int l2, int m>
+  GAUNT_LANES typename K::V At() const {
+    constexpr double kEntry = Matrix::Entry(l1, l2, m);
+    return k(kEntry);
+  }
+};
+
+// A fixed function times functions of order n.
+template <class Matrix, int n>
+struct MultiplyByFixed {
+  size_t channels;
+
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
+    for (size_t c = 0; c < channels; ++c) {
+      Columns(FixedEntries<K, Matrix>{k}, in.From(c * kPlanes), out.From(c * kPlanes),
+              std::make_integer_sequence<int, n>());
+    }
+  }
+
+ private:
+  static constexpr size_t kPlanes = NumCoefficients(n);
+
+  template <class Entries, class In, class Out, int... m>
+  static GAUNT_LANES void Columns(const Entries& entries, const In& in, const Out& out,
+                                  std::integer_sequence<int, m...>) {
+    (MultiplyColumn<n, m, Entries>()(entries, in, out), ...);
+  }
+};
+
+// Coefficients +m and -m of any order, in slots by their band.
+template <class K>
+class Column {
+ public:
+  template <class In>
+  GAUNT_LANES Column(const In& in, int order, int m) : m_(m) {
+    for (int l = m; l < order; ++l) {
+      cosines_(Slot(l), in(Plane(l, m)));
+      if (m != 0) sines_(Slot(l), in(Plane(l, -m)));
+    }
+  }
+
+  // Writes band l of the product, row.count entries row(i) times the coefficients of bands row.Band(i).
+  template <class Row, class Out>
+  GAUNT_LANES void PutRow(const Row& row, int l, const Out& out) const {
+    if (m_ == 0) return out(Plane(l, 0), Sum(row, cosines_));
+    auto cosine = Mul(row(0), cosines_(Slot(row.Band(0))));
+    auto sine = Mul(row(0), sines_(Slot(row.Band(0))));
+    for (int i = 1; i < row.count; ++i) {
+      const auto entry = row(i);
+      const size_t slot = Slot(row.Band(i));
+      cosine = MulAdd(entry, cosines_(slot), cosine);
+      sine = MulAdd(entry, sines_(slot), sine);
+    }
+    out(Plane(l, m_), cosine);
+    out(Plane(l, -m_), sine);
+  }
+
+ private:
+  static size_t Slot(int l) { return static_cast<size_t>(l); }
+  static size_t Plane(int l, int m) { return static_cast<size_t>(CoefficientIndex(l, m)); }
+
+  template <class Row, class Slots>
+  static GAUNT_LANES typename K::V Sum(const Row& row, const Slots& coefficients) {
+    auto sum = Mul(row(0), coefficients(Slot(row.Band(0))));
+    for (int i = 1; i < row.count; ++i) {
+      sum = MulAdd(row(i), coefficients(Slot(row.Band(i))), sum);
+    }
+    return sum;
+  }
+
+  int m_;
+  typename K::template Slots<kMaxOrder> cosines_, sines_;
+};
+
+// A fixed function times functions of any order.
+template <class Matrix>
+struct MultiplyByFixedAny {
+  int order;
+
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
+    for (int m = 0; m < order; ++m) {
+      const Column<K> column(in, order, m);
+      for (int l = m; l < order; ++l) column.PutRow(RowOf<K>(k, l, m), l, out);
+    }
+  }
+
+ private:
+  using Term = typename FixedTable<Matrix>::Term;
+  template <class K>
+  struct Row {
+    const K& k;
+    const Term* term;
+    int count;
+    int Band(int i) const { return term[i].band; }
+    GAUNT_LANES typename K::V operator()(int i) const { return k(term[i].factor); }
+  };
+
+  template <class K>
+  Row<K> RowOf(const K& k, int l, int m) const {
+    const uint16_t* const first = kFixedTable<Matrix>.first + ColumnIndex(l, m);
+    const Term* const term = kFixedTable<Matrix>.term + first[0];
+    int count = first[1] - first[0];
+    while (term[count - 1].band >= order) --count;
+    return {k, term, count};
+  }
+};
+
+// Zonal functions times functions, of any orders.
+struct MultiplyByZonalAny {
+  Orders orders;
+
+  template <class K, class Zonal, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const Zonal& zonal, const In& in, const Out& out) const {
+    typename K::template Slots<kMaxOrder> bands;
+    bands(0, Mul(k(kConstant), zonal(0)));
+    for (size_t l = 1; l < static_cast<size_t>(orders.a); ++l) bands(l, zonal(l));
+    Entries<K> entries;
+    const int columns = std::min(orders.b, orders.out);
+    for (int m = 0; m < columns; ++m) {
+      SetEntries(k, bands, m, entries);
+      const Column<K> column(in, orders.b, m);
+      for (int l = m; l < orders.out; ++l) {
+        const int first = std::max(m, l - orders.a + 1), last = std::min(orders.b, l + orders.a);
+        column.PutRow(Row<K>{entries, EntrySlot(l, first), first, last - first}, l, out);
+      }
+    }
+    for (int m = columns; m < orders.out; ++m) {
+      for (int l = m; l < orders.out; ++l) {
+        out(static_cast<size_t>(CoefficientIndex(l, m)), k(0.0));
+        out(static_cast<size_t>(CoefficientIndex(l, -m)), k(0.0));
+      }
+    }
+  }
+
+ private:
+  template <class K>
+  using Entries = typename K::template Slots<kMaxOutOrder * kMaxOrder>;
+  static size_t EntrySlot(int l_out, int l_in) {
+    return static_cast<size_t>(l_out * kMaxOrder + l_in);
+  }
+  template <class K>
+  struct Row {
+    const Entries<K>& entries;
+    size_t slot;
+    int first;
+    int count;
+    int Band(int i) const { return first + i; }
+    GAUNT_LANES typename K::V operator()(int i) const {
+      return entries(slot + static_cast<size_t>(i));
+    }
+  };
+
+  template <class K, class Zonal>
+  GAUNT_LANES void SetEntries(const K& k, const Zonal& zonal, int m, Entries<K>& entries) const {
+    const int lows = std::min(orders.b, orders.out), highs = std::max(orders.b, orders.out);
+    for (int low = m; low < lows; ++low) {
+      for (int high = low; high < std::min(low + orders.a, highs); ++high) {
+        const auto entry = Entry(k, zonal, low, m, high - low);
+        if (high < orders.out) entries(EntrySlot(high, low), entry);
+        if (high < orders.b) entries(EntrySlot(low, high), entry);
+      }
+    }
+  }
+
+  template <class K, class Zonal>
+  GAUNT_LANES typename K::V Entry(const K& k, const Zonal& zonal, int low, int m,
+                                  int difference) const {
+    const uint16_t* const first = kZonalTable.first + EntryIndex(low, m, difference);
+    const ZonalTable::Term* term = kZonalTable.term + first[0];
+    const ZonalTable::Term* const end = kZonalTable.term + first[1];
+    auto sum = zonal(0);
+    if (difference != 0) {
+      sum = Mul(k(term->factor), zonal(term->band));
+      ++term;
+    }
+    for (; term != end && term->band < orders.a; ++term) {
+      sum = MulAdd(k(term->factor), zonal(term->band), sum);
+    }
+    return sum;
+  }
+};
+
+}  // namespace gaunt::product::axial::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GAUNT_PRODUCT_AXIAL_INL_H_

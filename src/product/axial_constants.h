@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// The matrices of products with functions that are symmetric about z. They are symmetric, couple only
+// coefficients of equal m, and are the same for m and -m.
+#ifndef GAUNT_PRODUCT_AXIAL_CONSTANTS_H_
+#define GAUNT_PRODUCT_AXIAL_CONSTANTS_H_
+
+#include <cstdint>
+
+#include "product/product.h"
+#include "product/quadrature.h"
+#include "product/tensor.h"
+
+namespace gaunt::product::axial {
+
+// y_00
+inline constexpr double kConstant = basis::Sectoral(0);
+
+// Of band l1 of a zonal function: what it contributes to the entry of bands l2 and l3.
+constexpr double ZonalEntry(int l1, int l2, int l3, int m) { return Gaunt(l1, 0, l2, m, l3, m); }
+
+// The hemisphere z >= 0: the integral over it of y_l1,m y_l2,m. Legendre's equation gives it from
+// values and slopes at the equator, one of which vanishes.
+class Hemisphere {
+ public:
+  static constexpr double Entry(int l1, int l2, int m) {
+    if (l1 == l2) return 0.5;
+    if ((l1 + l2) % 2 == 0) return 0.0;
+    return (m == 0 ? 2.0 : 1.0) * kPi * (Slope(l1, m) * Value(l2, m) - Value(l1, m) * Slope(l2, m)) /
+           ((l1 - l2) * (l1 + l2 + 1.0));
+  }
+
+ private:
+  static constexpr PolarParts kEquator = PolarRecurrence().At(0.0);
+  static constexpr double Value(int l, int m) { return kEquator.part[PolarIndex(l, m)]; }
+  static constexpr double Slope(int l, int m) {
+    if (l == m) return 0.0;
+    return ConstexprSqrt((2.0 * l + 1.0) / (2.0 * l - 1.0) * (1.0 * l * l - 1.0 * m * m)) *
+           Value(l - 1, m);
+  }
+};
+
+// max(z, 0), which is z times the hemisphere.
+class Cosine {
+ public:
+  static constexpr double Entry(int l1, int l2, int m) {
+    const double above = Step(l2 + 1, m) * Hemisphere::Entry(l1, l2 + 1, m);
+    return l2 == m ? above : above + Step(l2, m) * Hemisphere::Entry(l1, l2 - 1, m);
+  }
+
+ private:
+  // z y_lm = Step(l + 1) y_l+1,m + Step(l) y_l-1,m
+  static constexpr double Step(int l, int m) {
+    return ConstexprSqrt((1.0 * l * l - 1.0 * m * m) / (4.0 * l * l - 1.0));
+  }
+};
+
+// The same for loops, without zeros. Columns of coefficients by order and m <= l.
+constexpr int ColumnIndex(int l, int m) { return l * (l + 1) / 2 + m; }
+inline constexpr int kColumns = ColumnIndex(kMaxOrder, 0);
+
+// Terms of the entry of the bands low and low + difference: first[EntryIndex] up to the next. The
+// constant band of the zonal function, which has a term of each diagonal entry, is left out.
+constexpr int EntryIndex(int low, int m, int difference) {
+  return ColumnIndex(low, m) * kMaxOrder + difference;
+}
+struct ZonalTable {
+  struct Term {
+    float factor;
+    uint8_t band;  // of the zonal function, ascending
+  };
+  static constexpr int kMaxTerms = 1650;
+  Term term[kMaxTerms] = {};
+  uint16_t first[EntryIndex(kMaxOrder, 0, 0) + 1] = {};
+
+  constexpr ZonalTable() {
+    int terms = 0;
+    for (int low = 0; low < kMaxOrder; ++low) {
+      for (int m = 0; m <= low; ++m) {
+        for (int difference = 0; difference < kMaxOrder; ++difference) {
+          first[EntryIndex(low, m, difference)] = static_cast<uint16_t>(terms);
+          for (int l = difference == 0 ? 2 : difference; l < kMaxOrder; l += 2) {
+            const double factor = ZonalEntry(l, low, low + difference, m);
+            if (factor == 0.0) continue;
+            term[terms++] = {static_cast<float>(factor), static_cast<uint8_t>(l)};
+          }
+        }
+      }
+    }
+    first[EntryIndex(kMaxOrder, 0, 0)] = static_cast<uint16_t>(terms);
+  }
+};
+inline constexpr ZonalTable kZonalTable;
+
+// Rows of a fixed matrix, by the band and m of their coefficient.
+template <class Matrix>
+struct FixedTable {
+  struct Term {
+    float factor;
+    uint8_t band;  // of the column, ascending
+  };
+  Term term[kColumns * kMaxOrder] = {};
+  uint16_t first[kColumns + 1] = {};
+
+  constexpr FixedTable() {
+    int terms = 0;
+    for (int l = 0; l < kMaxOrder; ++l) {
+      for (int m = 0; m <= l; ++m) {
+        first[ColumnIndex(l, m)] = static_cast<uint16_t>(terms);
+        for (int band = m; band < kMaxOrder; ++band) {
+          const double factor = Matrix::Entry(l, band, m);
+          if (factor == 0.0) continue;
+          term[terms++] = {static_cast<float>(factor), static_cast<uint8_t>(band)};
+        }
+      }
+    }
+    first[kColumns] = static_cast<uint16_t>(terms);
+  }
+};
+template <class Matrix>
+inline constexpr FixedTable<Matrix> kFixedTable;
+
+}  // namespace gaunt::product::axial
+
+#endif  // GAUNT_PRODUCT_AXIAL_CONSTANTS_H_
