@@ -22,6 +22,9 @@ namespace gaunt::product::axial::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
+// Zonal functions have a kernel for each order up to this, of all factors; others share one.
+inline constexpr int kMaxZonalOrder = 8;
+
 // The coefficients +m and -m of order n, times a matrix: Entries gives its elements, and has
 // IsZero(l1, l2, m) for those that vanish.
 template <int n, int m, class Entries>
@@ -66,13 +69,66 @@ struct MultiplyColumn {
   }
 };
 
-// The entries of one m that zonal functions give, in slots.
+// A zonal function of order n, in slots: its constant band times kConstant, the others, and the
+// products of them that entries share.
+template <class K, int n>
+class ZonalFactors {
+ public:
+  template <class Zonal>
+  GAUNT_LANES ZonalFactors(const K& k, const Zonal& zonal) {
+    band_(0, Mul(k(kConstant), zonal(0)));
+    Copy(zonal, std::make_integer_sequence<int, n - 1>());
+    Multiply(k, std::make_integer_sequence<int, kShared.count>());
+  }
+
+  GAUNT_LANES typename K::V Constant() const { return band_(0); }
+  // Entry times band l, alone and added to a sum.
+  template <int l, int low, int high, int m>
+  GAUNT_LANES typename K::V Term(const K& k) const {
+    constexpr double kEntry = ZonalEntry(l, low, high, m);
+    constexpr int kIndex = kShared.Find(l, kEntry);
+    if constexpr (kIndex < 0) {
+      return Mul(k(kEntry), band_(l));
+    } else if constexpr (kEntry > 0.0) {
+      return product_(kIndex);
+    } else {
+      return Neg(product_(kIndex));
+    }
+  }
+  template <int l, int low, int high, int m>
+  GAUNT_LANES typename K::V AddTerm(const K& k, typename K::V sum) const {
+    constexpr double kEntry = ZonalEntry(l, low, high, m);
+    constexpr int kIndex = kShared.Find(l, kEntry);
+    if constexpr (kIndex < 0) {
+      return MulAdd(k(kEntry), band_(l), sum);
+    } else if constexpr (kEntry > 0.0) {
+      return Add(sum, product_(kIndex));
+    } else {
+      return Sub(sum, product_(kIndex));
+    }
+  }
+
+ private:
+  static constexpr const SharedProducts<n>& kShared = kSharedProducts<n>;
+
+  template <class Zonal, int... i>
+  GAUNT_LANES void Copy(const Zonal& zonal, std::integer_sequence<int, i...>) {
+    (band_(i + 1, zonal(i + 1)), ...);
+  }
+  template <int... i>
+  GAUNT_LANES void Multiply(const K& k, std::integer_sequence<int, i...>) {
+    (product_(i, Mul(k(kShared.factor[i]), band_(kShared.band[i]))), ...);
+  }
+
+  typename K::template Slots<n> band_;
+  typename K::template Slots<kShared.count + 1> product_;
+};
+
+// The entries of one m that a zonal function gives, in slots.
 template <class K, int n, int m>
 class ZonalEntries {
  public:
-  // zonal(0) has been multiplied by kConstant.
-  template <class Zonal>
-  GAUNT_LANES ZonalEntries(const K& k, const Zonal& zonal) {
+  GAUNT_LANES ZonalEntries(const K& k, const ZonalFactors<K, n>& zonal) {
     SetAll(k, zonal, std::make_integer_sequence<int, Index(n, m)>());
   }
 
@@ -92,31 +148,29 @@ class ZonalEntries {
     return high;
   }
 
-  template <class Zonal, int... i>
-  GAUNT_LANES void SetAll(const K& k, const Zonal& zonal, std::integer_sequence<int, i...>) {
+  template <int... i>
+  GAUNT_LANES void SetAll(const K& k, const ZonalFactors<K, n>& zonal,
+                          std::integer_sequence<int, i...>) {
     (Set<HighOf(i), i - Index(HighOf(i), m) + m>(k, zonal), ...);
   }
 
-  template <int high, int low, class Zonal>
-  GAUNT_LANES void Set(const K& k, const Zonal& zonal) {
+  template <int high, int low>
+  GAUNT_LANES void Set(const K& k, const ZonalFactors<K, n>& zonal) {
     constexpr int kLast = n - 1 - (n - 1 + high + low) % 2;
     entry_(Index(high, low), Sum<high, low, std::min(kLast, high + low)>(k, zonal));
   }
 
   // Of the bands of the zonal function from `last` down by twos.
-  template <int high, int low, int last, class Zonal>
-  static GAUNT_LANES typename K::V Sum(const K& k, const Zonal& zonal) {
+  template <int high, int low, int last>
+  static GAUNT_LANES typename K::V Sum(const K& k, const ZonalFactors<K, n>& zonal) {
     if constexpr (last == 0) {
-      return zonal(0);
+      return zonal.Constant();
+    } else if constexpr (last == high - low) {
+      return zonal.template Term<last, low, high, m>(k);
+    } else if constexpr (ZonalEntry(last, low, high, m) == 0.0) {
+      return Sum<high, low, last - 2>(k, zonal);
     } else {
-      constexpr double kEntry = ZonalEntry(last, low, high, m);
-      if constexpr (kEntry == 0.0) {
-        return Sum<high, low, last - 2>(k, zonal);
-      } else if constexpr (last == high - low) {
-        return Mul(k(kEntry), zonal(last));
-      } else {
-        return MulAdd(k(kEntry), zonal(last), Sum<high, low, last - 2>(k, zonal));
-      }
+      return zonal.template AddTerm<last, low, high, m>(k, Sum<high, low, last - 2>(k, zonal));
     }
   }
 
@@ -131,26 +185,17 @@ struct MultiplyByZonal {
   template <class K, class Zonal, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const Zonal& zonal, const In& in, const Out& out) const {
     for (size_t c = 0; c < channels; ++c) {
-      typename K::template Slots<n> bands;
-      const auto from = zonal.From(c * n);
-      bands(0, Mul(k(kConstant), from(0)));
-      Copy(from, bands, std::make_integer_sequence<int, n - 1>());
-      Columns(k, bands, in.From(c * kPlanes), out.From(c * kPlanes),
-              std::make_integer_sequence<int, n>());
+      Columns(k, ZonalFactors<K, n>(k, zonal.From(c * n)), in.From(c * kPlanes),
+              out.From(c * kPlanes), std::make_integer_sequence<int, n>());
     }
   }
 
  private:
   static constexpr size_t kPlanes = NumCoefficients(n);
 
-  template <class From, class To, int... i>
-  static GAUNT_LANES void Copy(const From& from, To& to, std::integer_sequence<int, i...>) {
-    (to(i + 1, from(i + 1)), ...);
-  }
-
-  template <class K, class Zonal, class In, class Out, int... m>
-  static GAUNT_LANES void Columns(const K& k, const Zonal& zonal, const In& in, const Out& out,
-                                  std::integer_sequence<int, m...>) {
+  template <class K, class In, class Out, int... m>
+  static GAUNT_LANES void Columns(const K& k, const ZonalFactors<K, n>& zonal, const In& in,
+                                  const Out& out, std::integer_sequence<int, m...>) {
     (MultiplyColumn<n, m, ZonalEntries<K, n, m>>()(ZonalEntries<K, n, m>(k, zonal), in, out), ...);
   }
 };

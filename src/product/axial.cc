@@ -33,9 +33,7 @@ class ZonalFactor {
   ZonalFactor(const Orders& orders, const simd::InView& view) : orders_(orders), view_(view) {}
   int in_order() const { return orders_.b; }
   int out_order() const { return orders_.out; }
-  bool IsUnrolled() const {
-    return orders_.a == orders_.b && orders_.a == orders_.out && orders_.a <= kMaxUnrolledOrder;
-  }
+  bool IsUnrolled() const { return IsSquare() && orders_.a <= kMaxUnrolledOrder; }
 
   // run(kernel, side) with all channels of order n, or with channel c of any order.
   template <int n, class Run>
@@ -45,10 +43,27 @@ class ZonalFactor {
   template <class Run>
   void Any(size_t c, const Run& run) const {
     const size_t bands = static_cast<size_t>(orders_.a);
-    run(MultiplyByZonalAny{orders_}, In<kMaxOrder>(view_.FromPlane(c * bands), bands));
+    In<kMaxOrder> zonal(view_.FromPlane(c * bands), bands);
+    if (!IsSquare() || !RunOwn<kMaxUnrolledOrder + 1>(zonal, run)) {
+      run(MultiplyByZonalAny{orders_}, zonal);
+    }
   }
 
  private:
+  bool IsSquare() const { return orders_.a == orders_.b && orders_.a == orders_.out; }
+
+  // The kernel of an order from n up, if there is one.
+  template <int n, class Run>
+  bool RunOwn(In<kMaxOrder>& zonal, const Run& run) const {
+    if constexpr (n <= kMaxZonalOrder) {
+      if (orders_.a != n) return RunOwn<n + 1>(zonal, run);
+      run(MultiplyByZonal<n>{1}, zonal);
+      return true;
+    } else {
+      return false;
+    }
+  }
+
   const Orders& orders_;
   const simd::InView& view_;
 };

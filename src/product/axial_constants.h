@@ -18,6 +18,53 @@ inline constexpr double kConstant = basis::Sectoral(0);
 // Of band l1 of a zonal function: what it contributes to the entry of bands l2 and l3.
 constexpr double ZonalEntry(int l1, int l2, int l3, int m) { return Gaunt(l1, 0, l2, m, l3, m); }
 
+// Products of a band of zonal functions and a factor that several entries of order n have, but for
+// their signs. They are made once.
+template <int n>
+class SharedProducts {
+ public:
+  int count = 0;
+  int band[kMaxOrder * kMaxOrder] = {};
+  double factor[kMaxOrder * kMaxOrder] = {};
+
+  constexpr SharedProducts() {
+    for (int l = 1; l < n; ++l) {
+      double known[n * n * n] = {};
+      int times = 0;
+      for (int low = 0; low < n; ++low) {
+        for (int high = low; high < n && high <= low + l; ++high) {
+          for (int m = 0; m <= low; ++m) {
+            const double entry = ZonalEntry(l, low, high, m);
+            if (entry == 0.0) continue;
+            bool is_known = false;
+            for (int i = 0; i < times && !is_known; ++i) is_known = IsSame(known[i], entry);
+            if (!is_known) known[times++] = entry;
+            if (!is_known || Find(l, entry) >= 0) continue;
+            band[count] = l;
+            factor[count++] = entry < 0.0 ? -entry : entry;
+          }
+        }
+      }
+    }
+  }
+
+  // -1 if it is not shared.
+  constexpr int Find(int l, double entry) const {
+    for (int i = 0; i < count; ++i) {
+      if (band[i] == l && IsSame(factor[i], entry)) return i;
+    }
+    return -1;
+  }
+
+ private:
+  static constexpr bool IsSame(double a, double b) {
+    const double difference = (a < 0.0 ? -a : a) - (b < 0.0 ? -b : b);
+    return difference < 1e-9 && difference > -1e-9;
+  }
+};
+template <int n>
+inline constexpr SharedProducts<n> kSharedProducts;
+
 // The hemisphere z >= 0: the integral over it of y_l1,m y_l2,m. Legendre's equation gives it from
 // values and slopes at the equator, one of which vanishes.
 class Hemisphere {
