@@ -313,27 +313,31 @@ struct MultiplyByFixedAny {
   }
 };
 
-// Zonal functions times functions, of any orders.
+// Zonal functions of order a times functions of any order.
+template <int a>
 struct MultiplyByZonalAny {
-  Orders orders;
+  int order;
+  int out_order;
 
   template <class K, class Zonal, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const Zonal& zonal, const In& in, const Out& out) const {
-    typename K::template Slots<kMaxOrder> bands;
+    typename K::template Slots<a> bands;
     bands(0, Mul(k(kConstant), zonal(0)));
-    for (size_t l = 1; l < static_cast<size_t>(orders.a); ++l) bands(l, zonal(l));
+    Copy(zonal, bands, std::make_integer_sequence<int, a - 1>());
     Entries<K> entries;
-    const int columns = std::min(orders.b, orders.out);
+    const int columns = std::min(order, out_order);
     for (int m = 0; m < columns; ++m) {
-      SetEntries(k, bands, m, entries);
-      const Column<K> column(in, orders.b, m);
-      for (int l = m; l < orders.out; ++l) {
-        const int first = std::max(m, l - orders.a + 1), last = std::min(orders.b, l + orders.a);
+      for (int low = m; low < columns; ++low) {
+        SetEntries<0>(k, bands, low, kZonalTable.factor[ColumnIndex(low, m)], entries);
+      }
+      const Column<K> column(in, order, m);
+      for (int l = m; l < out_order; ++l) {
+        const int first = std::max(m, l - a + 1), last = std::min(order, l + a);
         column.PutRow(Row<K>{entries, EntrySlot(l, first), first, last - first}, l, out);
       }
     }
-    for (int m = columns; m < orders.out; ++m) {
-      for (int l = m; l < orders.out; ++l) {
+    for (int m = columns; m < out_order; ++m) {
+      for (int l = m; l < out_order; ++l) {
         out(static_cast<size_t>(CoefficientIndex(l, m)), k(0.0));
         out(static_cast<size_t>(CoefficientIndex(l, -m)), k(0.0));
       }
@@ -358,33 +362,48 @@ struct MultiplyByZonalAny {
     }
   };
 
-  template <class K, class Zonal>
-  GAUNT_LANES void SetEntries(const K& k, const Zonal& zonal, int m, Entries<K>& entries) const {
-    const int lows = std::min(orders.b, orders.out), highs = std::max(orders.b, orders.out);
-    for (int low = m; low < lows; ++low) {
-      for (int high = low; high < std::min(low + orders.a, highs); ++high) {
-        const auto entry = Entry(k, zonal, low, m, high - low);
-        if (high < orders.out) entries(EntrySlot(high, low), entry);
-        if (high < orders.b) entries(EntrySlot(low, high), entry);
-      }
+  template <class From, class To, int... i>
+  static GAUNT_LANES void Copy(const From& from, To& to, std::integer_sequence<int, i...>) {
+    (to(i + 1, from(i + 1)), ...);
+  }
+
+  // Of the bands low and those from low + difference up.
+  template <int difference, class K, class Bands>
+  GAUNT_LANES void SetEntries(const K& k, const Bands& bands, int low, const float* factor,
+                              Entries<K>& entries) const {
+    if constexpr (difference < a) {
+      const int high = low + difference;
+      if (high >= std::max(order, out_order)) return;
+      const auto entry = Entry<difference>(k, bands, low, factor);
+      if (high < out_order) entries(EntrySlot(high, low), entry);
+      if (high < order) entries(EntrySlot(low, high), entry);
+      SetEntries<difference + 1>(k, bands, low, factor, entries);
     }
   }
 
-  template <class K, class Zonal>
-  GAUNT_LANES typename K::V Entry(const K& k, const Zonal& zonal, int low, int m,
-                                  int difference) const {
-    const uint16_t* const first = kZonalTable.first + EntryIndex(low, m, difference);
-    const ZonalTable::Term* term = kZonalTable.term + first[0];
-    const ZonalTable::Term* const end = kZonalTable.term + first[1];
-    auto sum = zonal(0);
-    if (difference != 0) {
-      sum = Mul(k(term->factor), zonal(term->band));
-      ++term;
+  template <int difference, class K, class Bands>
+  static GAUNT_LANES typename K::V Entry(const K& k, const Bands& bands, int low,
+                                         const float* factor) {
+    if constexpr (difference == 0) {
+      return AddTerms<0, 1>(k, bands, low, factor, bands(0));
+    } else {
+      return AddTerms<difference, 1>(
+          k, bands, low, factor, Mul(k(factor[TermIndex(difference, 0)]), bands(difference)));
     }
-    for (; term != end && term->band < orders.a; ++term) {
-      sum = MulAdd(k(term->factor), zonal(term->band), sum);
+  }
+
+  template <int difference, int term, class K, class Bands>
+  static GAUNT_LANES typename K::V AddTerms(const K& k, const Bands& bands, int low,
+                                            const float* factor, typename K::V sum) {
+    constexpr int kBand = difference + 2 * term;
+    if constexpr (kBand < a) {
+      if (low < term) return sum;
+      return AddTerms<difference, term + 1>(
+          k, bands, low, factor,
+          MulAdd(k(factor[TermIndex(difference, term)]), bands(kBand), sum));
+    } else {
+      return sum;
     }
-    return sum;
   }
 };
 

@@ -44,24 +44,22 @@ class ZonalFactor {
   void Any(size_t c, const Run& run) const {
     const size_t bands = static_cast<size_t>(orders_.a);
     In<kMaxOrder> zonal(view_.FromPlane(c * bands), bands);
-    if (!IsSquare() || !RunOwn<kMaxUnrolledOrder + 1>(zonal, run)) {
-      run(MultiplyByZonalAny{orders_}, zonal);
-    }
+    RunOrder<1>(zonal, run);
   }
 
  private:
   bool IsSquare() const { return orders_.a == orders_.b && orders_.a == orders_.out; }
 
-  // The kernel of an order from n up, if there is one.
+  // The kernel of zonal functions of the order, which is n or more.
   template <int n, class Run>
-  bool RunOwn(In<kMaxOrder>& zonal, const Run& run) const {
-    if constexpr (n <= kMaxZonalOrder) {
-      if (orders_.a != n) return RunOwn<n + 1>(zonal, run);
-      run(MultiplyByZonal<n>{1}, zonal);
-      return true;
-    } else {
-      return false;
+  void RunOrder(In<kMaxOrder>& zonal, const Run& run) const {
+    if constexpr (n < kMaxOrder) {
+      if (orders_.a > n) return RunOrder<n + 1>(zonal, run);
     }
+    if constexpr (n > kMaxUnrolledOrder && n <= kMaxZonalOrder) {
+      if (IsSquare()) return run(MultiplyByZonal<n>{1}, zonal);
+    }
+    run(MultiplyByZonalAny<n>{orders_.b, orders_.out}, zonal);
   }
 
   const Orders& orders_;
@@ -118,57 +116,90 @@ GAUNT_LANES InCursor AsRead(const OutCursor& cursor) {
   return {cursor.data, cursor.plane_stride, cursor.step, cursor.jump, cursor.groups, cursor.left};
 }
 
-// The three stages of a product about axes: to_z, multiply, from_z. Functions that are turned are
-// kept in tiles; a product that has as many planes replaces them, others are turned where they are
-// written.
-template <size_t kTurnedPlanes>
-class AxisStages {
+// A kernel that reads a function, and a side besides or nothing, and writes another.
+class Stage {
  public:
-  AxisStages(const simd::InView& axes, size_t count, size_t in_planes, size_t out_planes)
-      : axes_(axes), count_(count), in_planes_(in_planes), out_planes_(out_planes) {}
+  template <class Kernel>
+  static Stage Of(const Kernel& kernel) {
+    return {&kernel, [](const void* k, size_t groups, const InCursor*, const InCursor& in,
+                        const OutCursor& out) {
+              RunGroups<Lanes>(*static_cast<const Kernel*>(k), groups, in, out);
+            }};
+  }
+  template <class Kernel>
+  static Stage OfTwo(const Kernel& kernel) {
+    return {&kernel, [](const void* k, size_t groups, const InCursor* side, const InCursor& in,
+                        const OutCursor& out) {
+              RunGroups<Lanes>(*static_cast<const Kernel*>(k), groups, *side, in, out);
+            }};
+  }
 
-  template <class ToZ, class Multiply, class FromZ, class... Zonal>
-  HWY_NOINLINE void Run(const ToZ& to_z, const Multiply& multiply, const FromZ& from_z, InSide& in,
-                        OutSide& out, Zonal&... zonal) {
+  void Run(size_t groups, const InCursor* side, const InCursor& in, const OutCursor& out) const {
+    run_(kernel_, groups, side, in, out);
+  }
+
+ private:
+  using Function = void (*)(const void* kernel, size_t groups, const InCursor* side,
+                            const InCursor& in, const OutCursor& out);
+  Stage(const void* kernel, Function run) : kernel_(kernel), run_(run) {}
+
+  const void* kernel_;
+  Function run_;
+};
+
+// A product about axes: turned to z, multiplied, turned back. Functions that are turned are kept in
+// tiles; a product that has as many planes replaces them, others are turned where they are written.
+struct AxisStages {
+  Stage to_z, multiply, from_z;
+  size_t in_planes, out_planes;
+
+  // `turned` has room for the planes of that many tiles. Without zonal functions, `zonal` is null.
+  HWY_NOINLINE void Run(const simd::InView& axes_view, size_t count, InSide& in, OutSide& out,
+                        InSide* zonal, float* turned, size_t tiles) const {
+    constexpr size_t kMaxTiles = 8;
+    HWY_ALIGN float angles[kAxisAnglePlanes * kMaxTiles * kTileItems];
     const size_t lanes = hn::Lanes(LaneTag());
-    In<3> axes(axes_);
-    out.Expect(count_);
-    const size_t tiles = std::min(kMaxTiles, kFloats / (kTileItems * in_planes_));
-    const size_t most = std::min({tiles * kTileItems, ItemsOf(axes), ItemsOf(in), ItemsOf(out),
-                                  ItemsOf(zonal)...});
-    for (size_t done = 0, n; done < count_; done += n) {
-      const size_t left = count_ - done;
+    In<3> axes(axes_view);
+    out.Expect(count);
+    const size_t most =
+        std::min({std::min(tiles, kMaxTiles) * kTileItems, ItemsOf(axes), ItemsOf(in), ItemsOf(out),
+                  zonal != nullptr ? ItemsOf(*zonal) : ItemsOf(in)});
+    for (size_t done = 0, n; done < count; done += n) {
+      const size_t left = count - done;
       n = std::min(most, left >= lanes ? left / lanes * lanes : left);
       const size_t groups = (n + lanes - 1) / lanes;
-      const InCursor angles = InCursor::Tiles(angles_, kAxisAnglePlanes);
       RunGroups<Lanes>(AnglesOfAxis(), groups, axes.Begin(done, n),
-                       OutCursor::Tiles(angles_, kAxisAnglePlanes));
-      const OutCursor turned = OutCursor::Tiles(turned_, in_planes_), to = out.Begin(done, n);
-      RunGroups<Lanes>(to_z, groups, angles, in.Begin(done, n), turned);
-      const OutCursor product = in_planes_ == out_planes_ ? turned : to;
-      RunGroups<Lanes>(multiply, groups, zonal.Begin(done, n)..., AsRead(turned), product);
-      RunGroups<Lanes>(from_z, groups, angles, AsRead(product), to);
+                       OutCursor::Tiles(angles, kAxisAnglePlanes));
+      const InCursor angle = InCursor::Tiles(angles, kAxisAnglePlanes);
+      const OutCursor middle = OutCursor::Tiles(turned, in_planes), to = out.Begin(done, n);
+      const OutCursor product = in_planes == out_planes ? middle : to;
+      to_z.Run(groups, &angle, in.Begin(done, n), middle);
+      const InCursor factor = zonal != nullptr ? zonal->Begin(done, n) : angle;
+      multiply.Run(groups, &factor, AsRead(middle), product);
+      from_z.Run(groups, &angle, AsRead(product), to);
       out.End(done, n);
     }
     out.Finish();
   }
 
  private:
-  static constexpr size_t kMaxTiles = 8;
-  static constexpr size_t kFloats = kTurnedPlanes * kTileItems;
-
   // That a side can have at a time.
   template <class Side>
   static size_t ItemsOf(const Side& side) {
     return side.direct() ? std::numeric_limits<size_t>::max() : side.items();
   }
-
-  const simd::InView& axes_;
-  size_t count_;
-  size_t in_planes_, out_planes_;
-  HWY_ALIGN float angles_[kAxisAnglePlanes * kMaxTiles * kTileItems];
-  HWY_ALIGN float turned_[kFloats];
 };
+
+inline InSide* SideOf() { return nullptr; }
+inline InSide* SideOf(InSide& zonal) { return &zonal; }
+template <class Kernel, class... Zonal>
+Stage MultiplyStage(const Kernel& kernel, const Zonal&...) {
+  if constexpr (sizeof...(Zonal) == 0) {
+    return Stage::Of(kernel);
+  } else {
+    return Stage::OfTwo(kernel);
+  }
+}
 
 // About an axis of each item.
 template <class Factor>
@@ -182,23 +213,33 @@ struct AboutAxes {
                              const simd::OutView& out) const {
     const size_t planes = channels * Planes(n);
     factor.template Unrolled<n>(channels, [&](const auto& kernel, auto&&... zonal) {
-      In<kAllPlanes<n>> from(in, planes);
-      Out<kAllPlanes<n>> to(out, planes);
-      AxisStages<kAllPlanes<n>>(axes, count, planes, planes)
-          .Run(TurnAxis<n, true, n>{n, channels}, kernel, TurnAxis<n, false, n>{n, channels}, from,
-               to, AsSide(zonal)...);
+      Run<kAllPlanes<n>, kAllPlanes<n>>(TurnAxis<n, true, n>{n, channels}, kernel,
+                                        TurnAxis<n, false, n>{n, channels}, planes, planes, in, out,
+                                        zonal...);
     });
   }
 
   HWY_NOINLINE void Any(size_t c, const simd::InView& in, const simd::OutView& out) const {
     const int in_order = factor.in_order(), out_order = factor.out_order();
     factor.Any(c, [&](const auto& kernel, auto&&... zonal) {
-      In<kMaxPlanes> from(in, Planes(in_order));
-      Out<kMaxTurnedPlanes> to(out, Planes(out_order));
-      AxisStages<kMaxPlanes>(axes, count, Planes(in_order), Planes(out_order))
-          .Run(TurnAxis<kAnyOrder, true, kMaxOrder>{in_order, 1}, kernel,
-               TurnAxis<kAnyOrder, false, rotate::kMaxOrder>{out_order, 1}, from, to, AsSide(zonal)...);
+      Run<kMaxPlanes, kMaxTurnedPlanes>(TurnAxis<kAnyOrder, true, kMaxOrder>{in_order, 1}, kernel,
+                                        TurnAxis<kAnyOrder, false, rotate::kMaxOrder>{out_order, 1},
+                                        Planes(in_order), Planes(out_order), in, out, zonal...);
     });
+  }
+
+ private:
+  template <size_t kInPlanes, size_t kOutPlanes, class ToZ, class Kernel, class FromZ,
+            class... Zonal>
+  void Run(const ToZ& to_z, const Kernel& kernel, const FromZ& from_z, size_t in_planes,
+           size_t out_planes, const simd::InView& in, const simd::OutView& out,
+           Zonal&... zonal) const {
+    HWY_ALIGN float turned[kInPlanes * kTileItems];
+    In<kInPlanes> from(in, in_planes);
+    Out<kOutPlanes> to(out, out_planes);
+    const AxisStages stages = {Stage::OfTwo(to_z), MultiplyStage(kernel, zonal...),
+                               Stage::OfTwo(from_z), in_planes, out_planes};
+    stages.Run(axes, count, from, to, SideOf(zonal...), turned, kInPlanes / in_planes);
   }
 };
 

@@ -101,44 +101,37 @@ class Cosine {
   }
 };
 
-// The same for loops, without zeros. Columns of coefficients by order and m <= l.
+// The same for loops. Columns of coefficients by order and m <= l.
 constexpr int ColumnIndex(int l, int m) { return l * (l + 1) / 2 + m; }
 inline constexpr int kColumns = ColumnIndex(kMaxOrder, 0);
 
-// Terms of the entry of the bands low and low + difference: first[EntryIndex] up to the next. The
-// constant band of the zonal function, which has a term of each diagonal entry, is left out.
-constexpr int EntryIndex(int low, int m, int difference) {
-  return ColumnIndex(low, m) * kMaxOrder + difference;
+// Entries of the bands low and low + difference have a term for every other band of the zonal
+// function from `difference` up, which couples while it is at most 2 low + difference.
+constexpr int NumTerms(int difference) { return (kMaxOrder + 1 - difference) / 2; }
+constexpr int TermIndex(int difference, int term) {
+  for (int d = 0; d < difference; ++d) term += NumTerms(d);
+  return term;
 }
 struct ZonalTable {
-  struct Term {
-    float factor;
-    uint8_t band;  // of the zonal function, ascending
-  };
-  static constexpr int kMaxTerms = 1650;
-  Term term[kMaxTerms] = {};
-  uint16_t first[EntryIndex(kMaxOrder, 0, 0) + 1] = {};
+  static constexpr int kTerms = TermIndex(kMaxOrder, 0);
+  float factor[kColumns][kTerms] = {};
 
   constexpr ZonalTable() {
-    int terms = 0;
     for (int low = 0; low < kMaxOrder; ++low) {
       for (int m = 0; m <= low; ++m) {
         for (int difference = 0; difference < kMaxOrder; ++difference) {
-          first[EntryIndex(low, m, difference)] = static_cast<uint16_t>(terms);
-          for (int l = difference == 0 ? 2 : difference; l < kMaxOrder; l += 2) {
-            const double factor = ZonalEntry(l, low, low + difference, m);
-            if (factor == 0.0) continue;
-            term[terms++] = {static_cast<float>(factor), static_cast<uint8_t>(l)};
+          for (int term = 0; term < NumTerms(difference); ++term) {
+            factor[ColumnIndex(low, m)][TermIndex(difference, term)] = static_cast<float>(
+                ZonalEntry(difference + 2 * term, low, low + difference, m));
           }
         }
       }
     }
-    first[EntryIndex(kMaxOrder, 0, 0)] = static_cast<uint16_t>(terms);
   }
 };
 inline constexpr ZonalTable kZonalTable;
 
-// Rows of a fixed matrix, by the band and m of their coefficient.
+// Rows of a fixed matrix without its zeros, by the band and m of their coefficient.
 template <class Matrix>
 struct FixedTable {
   struct Term {

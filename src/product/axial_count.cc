@@ -47,10 +47,15 @@ void AppendUnrolled(OperationRows& rows) {
   if constexpr (n < kMaxUnrolledOrder) AppendUnrolled<n + 1>(rows);
 }
 
-void AppendZonal(OperationRows& rows, const std::string& order, const Orders& orders) {
-  Append(rows, "product_zonal", order,
-         CountKernel(kernels::MultiplyByZonalAny{orders}, kPlanes, kPlanes, kPlanes),
-         CountTurns(orders.b, orders.out));
+template <int a>
+void AppendZonal(OperationRows& rows, int order, int out_order) {
+  const bool is_square = order == a && out_order == a;
+  Append(rows, "product_zonal",
+         is_square ? std::to_string(a)
+                   : std::to_string(a) + "x" + std::to_string(order) + "->" +
+                         std::to_string(out_order),
+         CountKernel(kernels::MultiplyByZonalAny<a>{order, out_order}, kPlanes, kPlanes, kPlanes),
+         CountTurns(order, out_order));
 }
 
 }  // namespace
@@ -58,9 +63,12 @@ void AppendZonal(OperationRows& rows, const std::string& order, const Orders& or
 void AppendAxialOperations(OperationRows& rows) {
   AppendZonal<1>(rows);
   AppendUnrolled<1>(rows);
-  for (int n = kernels::kMaxZonalOrder + 1; n <= kMaxOrder; ++n) {
-    AppendZonal(rows, std::to_string(n), {n, n, n});
-  }
+  AppendZonal<9>(rows, 9, 9);
+  AppendZonal<10>(rows, 10, 10);
+  AppendZonal<2>(rows, 6, 6);
+  AppendZonal<3>(rows, 6, 6);
+  AppendZonal<6>(rows, 3, 3);
+  AppendZonal<6>(rows, 6, 11);
   for (int n = kMaxUnrolledOrder + 1; n <= kMaxOrder; ++n) {
     const std::string order = std::to_string(n);
     const Operations turns = CountTurns(n, n);
@@ -68,12 +76,6 @@ void AppendAxialOperations(OperationRows& rows) {
            CountKernel(kernels::MultiplyByFixedAny<axial::Hemisphere>{n}, kPlanes, kPlanes), turns);
     Append(rows, "product_cosine", order,
            CountKernel(kernels::MultiplyByFixedAny<axial::Cosine>{n}, kPlanes, kPlanes), turns);
-  }
-  for (const Orders& orders : {Orders{3, 6, 6}, Orders{6, 3, 3}, Orders{6, 6, 11}}) {
-    AppendZonal(rows,
-                std::to_string(orders.a) + "x" + std::to_string(orders.b) + "->" +
-                    std::to_string(orders.out),
-                orders);
   }
 }
 
