@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # gaunt_family(<name> [part...]): one feature, whose files share a stem. All of them must be there.
-# Parts are further sources of the library, src/<name>/<part>.cc.
+# Parts are further sources of the library, src/<name>/<part>.cc. They may have counts and benchmarks
+# of their own, src/<name>/<part>_count.cc and bench/<name>_<part>_bench.cc.
 function(gaunt_family name)
   foreach(file
       src/${name}/${name}.h src/${name}/${name}-inl.h src/${name}/${name}.cc
@@ -15,6 +16,12 @@ function(gaunt_family name)
   target_sources(gaunt_objects PRIVATE src/${name}/${name}.cc capi/${name}.cc)
   foreach(part ${ARGN})
     target_sources(gaunt_objects PRIVATE src/${name}/${part}.cc)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/src/${name}/${part}_count.cc)
+      target_sources(gaunt_count PRIVATE src/${name}/${part}_count.cc)
+    endif()
+    if(GAUNT_BENCH AND EXISTS ${PROJECT_SOURCE_DIR}/bench/${name}_${part}_bench.cc)
+      target_sources(gaunt_bench PRIVATE bench/${name}_${part}_bench.cc)
+    endif()
   endforeach()
   target_sources(gaunt_reference PRIVATE src/${name}/${name}_reference.cc)
   target_sources(gaunt_count PRIVATE src/${name}/${name}_count.cc)
