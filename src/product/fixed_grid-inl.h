@@ -153,7 +153,8 @@ struct FixedGrid {
   // Adds bands l, l + 2, ..
   template <int first, int count, bool equator, int m, int side, int l, class K, class InA,
             class InB, class S>
-  static GAUNT_LANES void Bands(const K& k, const InA& a, const InB& b, S& sums_a, S& sums_b) {
+  static GAUNT_LANES void Bands(const K& k, const InA& a, [[maybe_unused]] const InB& b, S& sums_a,
+                                [[maybe_unused]] S& sums_b) {
     constexpr int i = CoefficientIndex(l, side * m);
     using Rows = Pairs<count + (equator ? 1 : 0)>;
     if constexpr (l <= La && l <= kLastB) {
@@ -169,14 +170,16 @@ struct FixedGrid {
   }
   // To each pair of the group and, after them, to the equator.
   template <int first, int count, int m, int l, class K, class V, class S, int... i>
-  static GAUNT_LANES void AddBands(const K& k, V a, V b, S& sums_a, S& sums_b,
+  static GAUNT_LANES void AddBands(const K& k, [[maybe_unused]] V a, [[maybe_unused]] V b,
+                                   [[maybe_unused]] S& sums_a, [[maybe_unused]] S& sums_b,
                                    std::integer_sequence<int, i...>) {
     ((AddTerm<m, l>(k, In(i == count ? kPairs : first + i), a, sums_a, i),
       AddTerm<m, l>(k, In(i == count ? kPairs : first + i), b, sums_b, i)),
      ...);
   }
   template <int first, int count, int m, int l, class K, class V, class S, int... i>
-  static GAUNT_LANES void AddBand(const K& k, V a, S& sums, std::integer_sequence<int, i...>) {
+  static GAUNT_LANES void AddBand(const K& k, [[maybe_unused]] V a, S& sums,
+                                  std::integer_sequence<int, i...>) {
     (AddTerm<m, l>(k, In(i == count ? kPairs : first + i), a, sums, i), ...);
   }
   template <int m, int l, class K, class V, class S>
