@@ -61,7 +61,8 @@ void ApplyFixed(const Header& header, const void* values, size_t channels, size_
 template <int M>
 void ApplyAny(const Header& header, const void* values, size_t channels, size_t count,
               const simd::InView& in, const simd::OutView& out) {
-  const AnyGrid<M, kLevel> kernel = {DegreesOf(header), values};
+  const Degrees degrees = DegreesOf(header);
+  const AnyGrid<M, kLevel> kernel = {{degrees.b, degrees.a, degrees.out}, values};
   if (header.out <= kMaxOrder) {
     ForChannels<kMaxInPlanes, kMaxInPlanes>(header, kernel, Place::kApart, channels, count, in,
                                             out);
