@@ -702,7 +702,8 @@ GAUNT_API gaunt_status gaunt_product_square(uint32_t n, uint32_t n_out, uint32_t
  * b         channels * n_b^2 planes
  * out       channels * n_out^2 planes
  *
- * Accuracy:  as gaunt_product().
+ * Accuracy:  |error| <= 2e-7 |zonal| |b| if all orders are 6 or less, else 3e-7 |zonal| |b|, with
+ *            |zonal| and |b| the norms of the channel's coefficients.
  * Overlap:   in place on b if n_out = n_b.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -719,7 +720,7 @@ GAUNT_API gaunt_status gaunt_product_zonal(uint32_t n_z, uint32_t n_b, uint32_t 
  *
  * Other arguments, overlap and status as for gaunt_product_zonal().
  *
- * Accuracy:  |error| <= 2e-6 |zonal| |b| up to order 6, and 6e-6 |zonal| |b| above.
+ * Accuracy:  |error| <= (2e-7 + 1e-7 n) |zonal| |b|, with n the largest of the orders.
  */
 GAUNT_API gaunt_status gaunt_product_zonal_axis(uint32_t n_z, uint32_t n_b, uint32_t n_out,
                                                 uint32_t channels, size_t count,
@@ -741,7 +742,8 @@ GAUNT_API gaunt_status gaunt_product_zonal_axis(uint32_t n_z, uint32_t n_b, uint
  * count     items
  * in, out   channels * n^2 planes
  *
- * Accuracy:  |error| <= 2e-7 of the norm of the channel's coefficients.
+ * Accuracy:  |error| <= 2e-7 of the norm of the channel's coefficients up to order 6, and 3e-7
+ *            above.
  * Overlap:   in place on `in`.
  * Source:    Sloan 2008, appendix A7.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
@@ -755,7 +757,7 @@ GAUNT_API gaunt_status gaunt_product_hemisphere(uint32_t n, uint32_t channels, s
  *
  * axes  3 planes, unit vectors
  *
- * Accuracy:  |error| <= 3e-6 of that norm up to order 6, and 8e-6 above.
+ * Accuracy:  |error| <= (2e-7 + 1e-7 n) of that norm.
  */
 GAUNT_API gaunt_status gaunt_product_hemisphere_axis(uint32_t n, uint32_t channels, size_t count,
                                                      const gaunt_view* axes, const gaunt_view* in,
@@ -769,7 +771,7 @@ GAUNT_API gaunt_status gaunt_product_hemisphere_axis(uint32_t n, uint32_t channe
  *
  * Arguments, overlap, source and status as for gaunt_product_hemisphere().
  *
- * Accuracy:  |error| <= 2e-7 of the norm of the channel's coefficients.
+ * Accuracy:  as gaunt_product_hemisphere().
  */
 GAUNT_API gaunt_status gaunt_product_cosine(uint32_t n, uint32_t channels, size_t count,
                                             const gaunt_view* in, const gaunt_view* out);
