@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "bench/product_axial_bench.h"
 #include "bench/support.h"
 
 namespace gaunt::bench {
@@ -17,6 +18,7 @@ GAUNT_BENCHMARKS(product) {
     };
     RegisterBatch(batch);
   }
+  RegisterAxialProducts();
 }
 
 }  // namespace gaunt::bench

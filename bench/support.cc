@@ -12,13 +12,6 @@
 namespace gaunt::bench {
 namespace {
 
-void MakeNoise(size_t item, size_t side, size_t planes, float* out) {
-  for (size_t p = 0; p < planes; ++p) {
-    const double x = std::sin(static_cast<double>((item * 97 + side) * 31 + p)) * 43758.5453;
-    out[p] = static_cast<float>(2.0 * (x - std::floor(x)) - 1.0);
-  }
-}
-
 double Now() {
   timespec now;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -181,6 +174,13 @@ void RegisterScalar(const ScalarBenchmark& scalar) {
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
       RunScalar(state, scalar, count, accuracy.get());
     });
+  }
+}
+
+void MakeNoise(size_t item, size_t side, size_t planes, float* out) {
+  for (size_t p = 0; p < planes; ++p) {
+    const double x = std::sin(static_cast<double>((item * 97 + side) * 31 + p)) * 43758.5453;
+    out[p] = static_cast<float>(2.0 * (x - std::floor(x)) - 1.0);
   }
 }
 

@@ -58,7 +58,8 @@ struct ScalarBenchmark {
 };
 void RegisterScalar(const ScalarBenchmark& scalar);
 
-// Unit vectors, for inputs.
+// Numbers in [-1, 1], and unit vectors, for inputs.
+void MakeNoise(size_t item, size_t side, size_t planes, float* out);
 void MakeDirection(size_t item, size_t side, float* planes);
 
 // Each family's registration, called by main.
