@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "chart/marks.h"
 #include "chart/results.h"
 #include "chart/targets.h"
+#include "simd/count.h"
 
 namespace gaunt::tool {
 namespace {
@@ -272,6 +274,94 @@ TEST(ChartMarks, OfSeriesRunByTheirSteps) {
   EXPECT_EQ(all[0].lines[1].points[1].y, 3e-7);
 }
 
+OperationRow RowOf(const char* op, const char* order, const char* variant, uint64_t mul,
+                   uint64_t fma) {
+  OperationRow row = {op, order, variant, {}};
+  row.operations.mul = mul;
+  row.operations.fma = fma;
+  return row;
+}
+
+TEST(ChartGrowth, FitsAKnownPowerFromAnOrderOn) {
+  std::vector<Point> points = {{2, 1e6}, {3, 1e-6}};  // are not fitted
+  for (const double n : {4.0, 5.0, 7.0, 10.0}) points.push_back({n, 0.3 * std::pow(n, 4.1)});
+  ASSERT_TRUE(GrowthExponent(points, 4).has_value());
+  EXPECT_NEAR(*GrowthExponent(points, 4), 4.1, 1e-12);
+  EXPECT_GT(std::abs(*GrowthExponent(points, 2) - 4.1), 1.0);
+  EXPECT_TRUE(GrowthExponent(points, 7).has_value());
+  EXPECT_FALSE(GrowthExponent(points, 10).has_value());
+  EXPECT_FALSE(GrowthExponent({{5, 1}, {5, 2}}, 4).has_value());
+  // Between two that are off by the same factor, which a least square weighs alike.
+  EXPECT_NEAR(*GrowthExponent({{4, 16}, {8, 64 * 2}, {8, 64 / 2}, {16, 256}}, 4), 2.0, 1e-12);
+}
+
+TEST(ChartGrowth, HasEveryVariantAndTheOthersByPlainOrder) {
+  OperationRows rows = {
+      RowOf("product", "3", "quick", 5, 6),       RowOf("product", "2", "quick", 3, 4),
+      RowOf("product", "3", "slow", 50, 60),      RowOf("product", "10", "slow", 70, 80),
+      RowOf("product", "1", "quick", 1, 0),       RowOf("product", "11", "quick", 1, 0),
+      RowOf("product", "6x6->3", "quick", 9, 9),  RowOf("product", "4", "alone", 9, 9),
+      RowOf("product_square", "2", "slow", 9, 9), RowOf("product_square", "3", "slow", 9, 9),
+      RowOf("product_square", "2", "fast", 1, 2), RowOf("product_square", "3", "fast", 3, 4),
+      RowOf("product_others", "2", "fast", 9, 9), RowOf("product_others", "3", "fast", 9, 9),
+      RowOf("another", "2", "a", 1, 1),           RowOf("another", "3", "a", 1, 1),
+      RowOf("another", "2", "b", 1, 1),           RowOf("another", "3", "b", 1, 1)};
+  const std::vector<SeriesLine> lines = SelectGrowth(rows, "product");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0].label, "product, quick");
+  ASSERT_EQ(lines[0].points.size(), 2u);
+  EXPECT_EQ(lines[0].points[0].x, 2.0);
+  EXPECT_EQ(lines[0].points[0].y, 7.0);
+  EXPECT_EQ(lines[0].points[1].x, 3.0);
+  EXPECT_EQ(lines[0].points[1].y, 11.0);
+  EXPECT_EQ(lines[1].label, "product, slow");
+  EXPECT_EQ(lines[1].points.back().x, 10.0);
+  EXPECT_EQ(lines[2].label, "product_square, fast");
+  EXPECT_TRUE(SelectGrowth(rows, "another").empty());
+  EXPECT_TRUE(SelectGrowth(rows, "").empty());
+  rows.erase(rows.begin() + 2, rows.begin() + 4);
+  EXPECT_TRUE(SelectGrowth(rows, "product").empty()) << "one variant has nothing to compare";
+}
+
+// Whatever kernels there are: what the rows say is what is drawn.
+TEST(ChartGrowth, OfProductsHasAllTheirLinesAndThePublishedOne) {
+  const OperationRows rows = AllOperations();
+  const std::vector<SeriesLine> lines = SelectGrowth(rows, "product");
+  std::set<std::string> labels, variants;
+  std::map<std::string, int> orders;
+  for (const SeriesLine& line : lines) labels.insert(line.label);
+  EXPECT_EQ(labels.size(), lines.size());
+  for (const OperationRow& row : rows) {
+    const bool plain = row.order.find('x') == std::string::npos && row.order != "1";
+    const std::string label = row.op + ", " + row.variant;
+    if (row.op == "product" && plain && ++orders[label] == 2) variants.insert(label);
+  }
+  for (const char* other : {"product_square, fast", "product_prepared, fast", "product_zonal, mono",
+                            "product, fast", "product, fewest"}) {
+    variants.insert(other);
+  }
+  EXPECT_EQ(labels, variants);
+  const auto published = PublishedOf("product");
+  ASSERT_TRUE(published.has_value());
+  EXPECT_FALSE(PublishedOf("rotate").has_value());
+  ASSERT_EQ(published->points.size(), 6u);
+  EXPECT_EQ(published->points[4].y, 2527.0);
+  const std::string script = GrowthChart("product", lines, published).Script();
+  for (const std::string& label : labels) {
+    EXPECT_NE(script.find('"' + label), std::string::npos) << label;
+  }
+  EXPECT_NE(script.find("\n7 5351\n"), std::string::npos);
+  EXPECT_NE(script.find("the line to beat"), std::string::npos);
+  EXPECT_EQ(GrowthChart("product", lines, {}).Script().find("the line to beat"), std::string::npos);
+}
+
+TEST(ChartGrowth, PrintsTheExponents) {
+  SeriesLine line = {"cubes", {}};
+  for (const double n : {2.0, 3.0, 4.0, 5.0, 6.0}) line.points.push_back({n, n * n * n});
+  const std::string script = GrowthChart("f", {line}, {}).Script();
+  EXPECT_NE(script.find("cubes: n^3.0"), std::string::npos);
+}
+
 TEST(ChartAxis, HoldsItsValuesAndHasRoundTicks) {
   for (const std::vector<double>& values : {std::vector<double>{1.0},
                                             {0.07, 900.0},
@@ -312,6 +402,13 @@ TEST(ChartAxis, OfStepsHasThoseThatAreTaken) {
   std::vector<std::string> labels;
   for (const Tick& tick : axis.ticks()) labels.push_back(tick.label);
   EXPECT_EQ(labels, (std::vector<std::string>{"1", "3", "10", "30", "100", "300", "1000"}));
+}
+
+TEST(ChartAxis, OfDigitsHasEveryOne) {
+  const Axis axis({2, 10}, Axis::Format::kDigits);
+  std::vector<std::string> labels;
+  for (const Tick& tick : axis.ticks()) labels.push_back(tick.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"2", "3", "4", "5", "6", "7", "8", "9", "10"}));
 }
 
 TEST(ChartColours, GetLighterAndDiffer) {

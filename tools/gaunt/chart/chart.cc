@@ -15,6 +15,7 @@
 #include "chart/process.h"
 #include "command.h"
 #include "output_file.h"
+#include "simd/count.h"
 
 namespace gaunt::tool {
 namespace {
@@ -73,6 +74,11 @@ std::vector<NamedFigure> MakeFigures(const Results& results, const Selection& se
   }
   for (const SeriesData& series : SelectSeries(results, family)) {
     figures.push_back({family + "_" + series.name, SeriesChart(family, results.compiler, series)});
+  }
+  // Counted here and now, whatever was timed.
+  const std::vector<SeriesLine> growth = SelectGrowth(AllOperations(), family);
+  if (!growth.empty()) {
+    figures.push_back({family + "_growth", GrowthChart(family, growth, PublishedOf(family))});
   }
   if (figures.empty()) {
     throw BadInput(

@@ -43,6 +43,9 @@ std::vector<Tick> Ticks(double from, double to, Axis::Format format) {
     return ticks;
   };
   if (format == Axis::Format::kSteps && last - first <= kMost) return at_digits({1, 3});
+  if (format == Axis::Format::kDigits && last - first <= 2) {
+    return at_digits({1, 2, 3, 4, 5, 6, 7, 8, 9});
+  }
   const std::vector<Tick> few = at_digits({1});
   return few.size() > 2 ? few : at_digits({1, 2, 5});
 }

@@ -74,7 +74,7 @@ struct Tick {
 // A logarithmic axis with a margin around the values.
 class Axis {
  public:
-  enum class Format { kPlain, kPowers, kSteps };  // kSteps: 1, 3, 10, 30
+  enum class Format { kPlain, kPowers, kSteps, kDigits };  // kSteps: 1, 3, 10; kDigits: 1, 2, 3, 4
 
   // Of values that are finite and positive, and neither tiny nor huge.
   explicit Axis(const std::vector<double>& values, Format format = Format::kPlain);

@@ -35,7 +35,9 @@ void Legend::Mark(const MarkStyle& style, const std::string& text) {
 void Legend::Line(const PathStyle& style, const std::string& text) {
   entries_.push_back({Kind::kLine, text, MarkStyle(), style});
 }
-
+void Legend::Line(const PathStyle& style, const MarkStyle& mark, const std::string& text) {
+  entries_.push_back({Kind::kMarkedLine, text, mark, style});
+}
 void Legend::Swatch(const std::string& colour, const std::string& text) {
   entries_.push_back({Kind::kSwatch, text, {1, false, colour, 0.9}, PathStyle()});
 }
@@ -58,6 +60,11 @@ void Legend::Draw(Point corner, double width, Layer& page) const {
       case Kind::kHeading: break;
       case Kind::kMark: page.Marks({{corner.x + 12, y}}, entry.mark); break;
       case Kind::kLine: page.Path({{corner.x, y}, {corner.x + 24, y}}, entry.line); break;
+      case Kind::kMarkedLine:
+        // From the middle: its beginning is ragged where it is thick.
+        page.Path({{corner.x + 12, y}, {corner.x, y}, {corner.x + 24, y}}, entry.line);
+        page.Marks({{corner.x + 12, y}}, entry.mark);
+        break;
       case Kind::kSwatch:  // squares that make a bar: thick lines end raggedly
         for (const double x : {5.0, 8.0, 11.0, 14.0, 17.0, 20.0}) bar.push_back({corner.x + x, y});
         page.Marks(bar, entry.mark);

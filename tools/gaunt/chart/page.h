@@ -41,6 +41,7 @@ class Legend {
   void Heading(const std::string& text);
   void Mark(const MarkStyle& style, const std::string& text);
   void Line(const PathStyle& style, const std::string& text);
+  void Line(const PathStyle& style, const MarkStyle& mark, const std::string& text);
   void Swatch(const std::string& colour, const std::string& text);
   void Whisker(const std::string& colour, const std::string& text);
 
@@ -48,7 +49,7 @@ class Legend {
   void Draw(Point corner, double width, Layer& page) const;
 
  private:
-  enum class Kind { kHeading, kMark, kLine, kSwatch, kWhisker };
+  enum class Kind { kHeading, kMark, kLine, kMarkedLine, kSwatch, kWhisker };
   struct Entry {
     Kind kind;
     std::string text;
