@@ -663,7 +663,9 @@ GAUNT_API gaunt_status gaunt_zonal_convolve(uint32_t n, uint32_t channels, size_
  * a and b may be the same view; gaunt_product_square() is the faster for it.
  *
  * Accuracy:  |error| <= 4e-7 |a| |b| up to order 6, and 6e-7 |a| |b| above, with |a| and |b| the
- *            norms of the channel's coefficients.
+ *            norms of the channel's coefficients; root mean square of the error's norm over that of
+ *            the result, of random functions of equal orders, 1.2e-7 up to order 6, 1.5e-7 above.
+ *            Values on the way are up to some 4e3 times |a| |b|, which may be up to 1e34.
  * Overlap:   in place on a if n_out = n_a, and on b if n_out = n_b.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */

@@ -17,35 +17,41 @@ namespace gaunt::product::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// A square matrix in memory, row by row. Rows go in blocks that hide the latency of multiply-adds.
-template <int kSize>
+// A square matrix of order n in memory, row by row. Each sum goes in halves, whose rounding errors
+// add up to less, and n of them go side by side, which hides the latency of multiply-adds.
+template <int n>
 struct Matrix {
   const void* values;
 
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
     typename K::template Slots<kSize> results;
-    for (int row = 0; row < kSize; row += kBlock) {
-      if (row > kSize - kBlock) row = kSize - kBlock;  // the last may overlap the one before
-      Block(k, k.Floats(values).From(static_cast<size_t>(row * kSize)), in, results, row,
-            std::make_integer_sequence<int, kBlock>());
+    for (int row = 0; row < kSize; row += n) {
+      Rows(k, k.Floats(values).From(static_cast<size_t>(row * kSize)), in, results, row,
+           std::make_integer_sequence<int, n>());
     }
-    for (int p = 0; p < kSize; ++p) out(static_cast<size_t>(p), results(static_cast<size_t>(p)));
+    for (size_t p = 0; p < kSize; ++p) out(p, results(p));
   }
 
  private:
-  static constexpr int kBlock = kSize < 9 ? kSize : kSize % 8 == 0 ? 8 : 9;
+  static constexpr int kSize = NumCoefficients(n);
+  static constexpr int kHalf = (kSize + 1) / 2;
 
-  template <class K, class Rows, class In, class S, int... i>
-  static GAUNT_LANES void Block(const K&, const Rows& rows, const In& in, S& results, int row,
-                                std::integer_sequence<int, i...>) {
-    typename K::template Slots<kBlock> sums;
-    (sums(i, Mul(rows(i * kSize), in(0))), ...);
-    for (size_t j = 1; j < kSize; ++j) {
+  template <class K, class Values, class In, class S, int... i>
+  static GAUNT_LANES void Rows(const K&, const Values& row, const In& in, S& results, int first,
+                               std::integer_sequence<int, i...>) {
+    typename K::template Slots<n> low, high;
+    (low(i, Mul(row(i * kSize), in(0))), ...);
+    if constexpr (kHalf < kSize) (high(i, Mul(row(i * kSize + kHalf), in(kHalf))), ...);
+    for (size_t j = 1; j < kHalf; ++j) {
       const auto value = in(j);
-      (sums(i, MulAdd(rows(i * kSize + j), value, sums(i))), ...);
+      (low(i, MulAdd(row(i * kSize + j), value, low(i))), ...);
+      if (j + kHalf >= kSize) continue;
+      const auto other = in(j + kHalf);
+      (high(i, MulAdd(row(i * kSize + j + kHalf), other, high(i))), ...);
     }
-    (results(static_cast<size_t>(row + i), sums(i)), ...);
+    if constexpr (kHalf < kSize) (low(i, Add(low(i), high(i))), ...);
+    (results(static_cast<size_t>(first + i), low(i)), ...);
   }
 };
 

@@ -38,7 +38,7 @@ template <int n>
 void ApplyMatrix(const Header& header, const void* values, size_t channels, size_t count,
                  const simd::InView& in, const simd::OutView& out) {
   constexpr int kPlanes = NumCoefficients(n);
-  ForChannels<kPlanes, kPlanes>(header, Matrix<kPlanes>{values}, Place::kNearby, channels, count,
+  ForChannels<kPlanes, kPlanes>(header, Matrix<n>{values}, Place::kNearby, channels, count,
                                 in, out);
 }
 template <int... n>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "product/product.h"
 
-#include <algorithm>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "product/product.cc"
@@ -68,11 +68,12 @@ struct FixedCase {
   Orders orders;
   ProductFn product;
 };
+template <int a, int b, int out>
+inline constexpr FixedCase kFixedCase = {{a, b, out}, &FixedProduct<a, b, out>};
 constexpr FixedCase kFixedCases[] = {
-    {{5, 5, 5}, &FixedProduct<5, 5, 5>}, {{6, 6, 6}, &FixedProduct<6, 6, 6>},
-    {{7, 7, 7}, &FixedProduct<7, 7, 7>}, {{8, 8, 8}, &FixedProduct<8, 8, 8>},
-    {{6, 6, 4}, &FixedProduct<6, 6, 4>}, {{3, 6, 6}, &FixedProduct<3, 6, 6>},
-};
+    kFixedCase<1, 1, 1>, kFixedCase<2, 2, 2>, kFixedCase<3, 3, 3>, kFixedCase<4, 4, 4>,
+    kFixedCase<5, 5, 5>, kFixedCase<6, 6, 6>, kFixedCase<7, 7, 7>, kFixedCase<8, 8, 8>,
+    kFixedCase<6, 6, 3>, kFixedCase<6, 6, 4>, kFixedCase<2, 6, 6>, kFixedCase<3, 6, 6>};
 
 using AnyFn = void (*)(const Orders&, const Degrees&, size_t, size_t, const simd::InView&,
                        const simd::InView&, const simd::OutView&);
@@ -102,17 +103,22 @@ void Product(const Orders& orders, size_t channels, size_t count, const simd::In
   kAnyCases.product[i](orders, degrees, channels, count, a, b, out);
 }
 
-constexpr SquareFn kSquares[] = {nullptr,         nullptr,         &FixedSquare<2>,
-                                 &FixedSquare<3>, &FixedSquare<4>, &FixedSquare<5>,
-                                 &FixedSquare<6>, &FixedSquare<7>, &FixedSquare<8>};
+template <int... n>
+constexpr auto MakeSquares(std::integer_sequence<int, 0, n...>) {
+  struct Squares {
+    SquareFn square[sizeof...(n) + 1];
+  };
+  return Squares{{nullptr, &FixedSquare<n>...}};
+}
+constexpr auto kSquares = MakeSquares(gaunt::Orders<kMaxFixedSquare>());
 
 void Square(int order, int out_order, size_t channels, size_t count, const simd::InView& in,
             const simd::OutView& out) {
-  if (order == out_order && static_cast<size_t>(order) < std::size(kSquares) &&
-      kSquares[order] != nullptr) {
-    return kSquares[order](order, out_order, channels, count, in, out);
+  if (order == out_order && order <= kMaxFixedSquare) {
+    kSquares.square[order](order, out_order, channels, count, in, out);
+  } else {
+    Product({order, order, out_order}, channels, count, in, in, out);
   }
-  Product({order, order, out_order}, channels, count, in, in, out);
 }
 
 const Table* GetTable() {

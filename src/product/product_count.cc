@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Operations of the product kernels, by running them on counting lanes.
+#include "product/matrix-inl.h"
+#include "product/prepared.h"
 #include "product/product-inl.h"
 #include "simd/count.h"
 
@@ -19,13 +21,28 @@ std::string OrderOf(int a, int b, int out) {
              : std::to_string(a) + "x" + std::to_string(b) + "->" + std::to_string(out);
 }
 
-// What the library runs is fast; with the values at the points themselves it has the fewest
-// multiplications, and more additions.
+using kernels::Second;
+
+// Of any orders, as the library runs them where they have no kernel of their own.
+template <int a, int b, int out>
+auto AnyKernel() {
+  constexpr Degrees kDegrees = Coupled({a, b, out});
+  constexpr int kPoints = PointsOf(GridOf(kDegrees.a + kDegrees.b + kDegrees.out));
+  return kernels::AnyGrid<kPoints, kLevel>{kDegrees};
+}
+
+// What the library runs is fast. With the values at the points themselves, the grid has the fewest
+// multiplications and more additions.
 template <int a, int b, int out>
 void AppendProduct(OperationRows& rows) {
   const std::string order = OrderOf(a, b, out);
-  rows.push_back({"product", order, "fast",
-                  CountKernel(kernels::ProductKernel<a, b, out>(), kPlanes, kPlanes, kPlanes)});
+  Operations fast;
+  if constexpr (a == b && b == out && a > kernels::kMaxFixedProduct) {
+    fast = CountKernel(AnyKernel<a, b, out>(), kPlanes, kPlanes, kPlanes);
+  } else {
+    fast = CountKernel(kernels::ProductKernel<a, b, out>(), kPlanes, kPlanes, kPlanes);
+  }
+  rows.push_back({"product", order, "fast", fast});
   if constexpr (a > 2) {
     rows.push_back({"product", order, "fewest",
                     CountKernel(kernels::FixedGrid<a, b, out, Level::kPoints>(), kPlanes, kPlanes,
@@ -33,34 +50,53 @@ void AppendProduct(OperationRows& rows) {
   }
 }
 
+template <int n, Second second>
+void AppendFewest(OperationRows& rows, const std::string& op) {
+  if constexpr (n > 2) {
+    rows.push_back({op, std::to_string(n), "fewest",
+                    CountKernel(kernels::FixedGrid<n, n, n, Level::kPoints, second>(), kPlanes,
+                                kPlanes)});
+  }
+}
+
+template <int n>
+void AppendSquare(OperationRows& rows) {
+  if constexpr (n <= kernels::kMaxFixedSquare) {
+    rows.push_back({"product_square", std::to_string(n), "fast",
+                    CountKernel(kernels::SquareKernel<n>(), kPlanes, kPlanes)});
+  }
+  AppendFewest<n, Second::kSame>(rows, "product_square");
+}
+
+template <int n>
+void AppendPrepared(OperationRows& rows) {
+  Operations fast;
+  if constexpr (n <= prepared::kMaxMatrixOrder) {
+    fast = CountKernel(kernels::Matrix<n>{nullptr}, kPlanes, kPlanes);
+  } else if constexpr (n <= kernels::kMaxFixedPrepared) {
+    fast = CountKernel(kernels::PreparedKernel<n>(), kPlanes, kPlanes);
+  } else {
+    fast = CountKernel(AnyKernel<n, n, n>(), kPlanes, kPlanes);
+  }
+  rows.push_back({"product_prepared", std::to_string(n), "fast", fast});
+  AppendFewest<n, Second::kPrepared>(rows, "product_prepared");
+}
+
 template <int n>
 void AppendOrder(OperationRows& rows) {
   AppendProduct<n, n, n>(rows);
-  using kernels::Second;
-  const std::string order = std::to_string(n);
-  rows.push_back({"product_square", order, "fast",
-                  CountKernel(kernels::SquareKernel<n>(), kPlanes, kPlanes)});
-  if constexpr (n > 2) {
-    rows.push_back({"product_square", order, "fewest",
-                    CountKernel(kernels::FixedGrid<n, n, n, Level::kPoints, Second::kSame>(),
-                                kPlanes, kPlanes)});
-  }
-  rows.push_back({"product_prepared", order, "fast",
-                  CountKernel(kernels::PreparedKernel<n>(), kPlanes, kPlanes)});
-  if constexpr (n > 2) {
-    rows.push_back({"product_prepared", order, "fewest",
-                    CountKernel(kernels::FixedGrid<n, n, n, Level::kPoints, Second::kPrepared>(),
-                                kPlanes, kPlanes)});
-  }
+  AppendSquare<n>(rows);
+  AppendPrepared<n>(rows);
   if constexpr (n < kMaxOrder) AppendOrder<n + 1>(rows);
 }
 
 }  // namespace
 
 void AppendOperations(OperationRows& rows) {
-  AppendOrder<2>(rows);
+  AppendOrder<1>(rows);
   AppendProduct<6, 6, 3>(rows);
   AppendProduct<6, 6, 4>(rows);
+  AppendProduct<2, 6, 6>(rows);
   AppendProduct<3, 6, 6>(rows);
   AppendAxialOperations(rows);
 }
