@@ -32,19 +32,24 @@ Errors Accuracy::Measure(size_t count, size_t variant, size_t checked,
   }
 
   Errors errors;
-  double squared = 0.0;
+  double squared = 0.0, relative = 0.0;
   const double* expected = exact.data();
   for (size_t k = 0; k < checked; ++k) {
+    double of_item = 0.0, norm = 0.0;
     for (const double value : out.Item(item_of(k))) {
       const double error = std::abs(value - *expected);
       errors.largest = std::max(errors.largest, error);
       errors.rounding =
           std::max(errors.rounding, std::abs(static_cast<float>(*expected) - *expected));
-      squared += error * error;
+      of_item += error * error;
+      norm += *expected * *expected;
       ++expected;
     }
+    squared += of_item;
+    if (norm > 0.0) relative += of_item / norm;
   }
   errors.rms = std::sqrt(squared / static_cast<double>(exact.size()));
+  errors.relative = std::sqrt(relative / static_cast<double>(checked));
   return errors;
 }
 

@@ -20,6 +20,7 @@ struct Errors {
   double largest = 0.0;
   double rms = 0.0;       // NaN if an output is
   double rounding = 0.0;  // largest of the exact outputs when they are rounded to float
+  double relative = 0.0;  // root mean square over items of the L2 norm, in that of the exact output
 };
 
 class Accuracy {

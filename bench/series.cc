@@ -22,8 +22,9 @@ void RegisterSeries(const Series& series) {
   }
 }
 
-void DescribeSeries(const std::string& name, const std::string& text) {
+void DescribeSeries(const std::string& name, const std::string& text, const std::string& steps) {
   benchmark::AddCustomContext("series " + name, text);
+  benchmark::AddCustomContext("steps " + name, steps);
 }
 
 }  // namespace gaunt::bench

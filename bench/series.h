@@ -20,8 +20,9 @@ struct Series {
 
 void RegisterSeries(const Series& series);
 
-// What family/<series> shows, for charts: "title: conditions". Once for each.
-void DescribeSeries(const std::string& name, const std::string& text);
+// What family/<series> shows, for charts: "title: conditions", and what its steps are. Once for each.
+void DescribeSeries(const std::string& name, const std::string& text,
+                    const std::string& steps = "steps");
 
 }  // namespace gaunt::bench
 

@@ -56,7 +56,7 @@ Errors MeasureErrors(Accuracy& accuracy, size_t count, const std::vector<size_t>
   constexpr size_t kChecked = 256, kVariants = 32;
   if (broadcast.empty()) return accuracy.Measure(count, 0, kChecked, in, out);
   Errors all;
-  double squared = 0.0;
+  double squared = 0.0, relative = 0.0;
   for (size_t variant = 0; variant < kVariants; ++variant) {
     for (const size_t side : broadcast) {
       in[side].Fill([&](size_t, float* item) { make(variant, side, item); });
@@ -66,8 +66,10 @@ Errors MeasureErrors(Accuracy& accuracy, size_t count, const std::vector<size_t>
     all.largest = std::max(all.largest, errors.largest);
     all.rounding = std::max(all.rounding, errors.rounding);
     squared += errors.rms * errors.rms;
+    relative += errors.relative * errors.relative;
   }
   all.rms = std::sqrt(squared / kVariants);
+  all.relative = std::sqrt(relative / kVariants);
   return all;
 }
 
@@ -76,6 +78,7 @@ void SetErrors(benchmark::State& state, const Errors& errors) {
   state.counters["error"] = errors.largest;
   state.counters["error_rms"] = errors.rms;
   state.counters["error_rounding"] = errors.rounding;
+  state.counters["error_relative"] = errors.relative;
 }
 
 void RunBatch(benchmark::State& state, const BatchBenchmark& batch, Layout layout, size_t count,

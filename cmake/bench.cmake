@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Benchmarks: one program; each family adds its file.
 add_executable(gaunt_bench bench/main.cc bench/limits.cc bench/support.cc bench/planes.cc
-  bench/accuracy.cc bench/series.cc bench/rotate_drift.cc bench/frame_bench.cc)
+  bench/accuracy.cc bench/series.cc bench/rotate_drift.cc bench/product_stability.cc
+  bench/frame_bench.cc)
 gaunt_compile_internal(gaunt_bench)
 target_include_directories(gaunt_bench PRIVATE ${PROJECT_BINARY_DIR}/generated tools/gaunt)
 target_link_libraries(gaunt_bench PRIVATE gaunt_static gaunt_reference gaunt_count
@@ -10,7 +11,8 @@ target_link_libraries(gaunt_bench PRIVATE gaunt_static gaunt_reference gaunt_cou
 # Scalar loops as a user's compiler makes them.
 add_library(gaunt_scalar_baselines OBJECT
   bench/basis_baseline.cc bench/evaluate_baseline.cc bench/project_baseline.cc
-  bench/product_axial_baseline.cc bench/rotate_baseline.cc bench/zonal_baseline.cc)
+  bench/product_axial_baseline.cc bench/product_baseline.cc bench/rotate_baseline.cc
+  bench/zonal_baseline.cc)
 target_include_directories(gaunt_scalar_baselines PRIVATE ${PROJECT_SOURCE_DIR} src include)
 target_link_libraries(gaunt_scalar_baselines PRIVATE hwy::hwy gaunt_warnings)
 target_link_libraries(gaunt_bench PRIVATE gaunt_scalar_baselines)

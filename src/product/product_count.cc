@@ -8,6 +8,7 @@
 namespace gaunt::product {
 
 void AppendAxialOperations(OperationRows& rows);
+void AppendMethodOperations(OperationRows& rows);
 void AppendOperations(OperationRows& rows);
 
 namespace {
@@ -99,6 +100,7 @@ void AppendOperations(OperationRows& rows) {
   AppendProduct<2, 6, 6>(rows);
   AppendProduct<3, 6, 6>(rows);
   AppendAxialOperations(rows);
+  AppendMethodOperations(rows);
 }
 
 }  // namespace gaunt::product

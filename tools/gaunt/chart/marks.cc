@@ -150,6 +150,8 @@ std::vector<SeriesData> SelectSeries(const Results& results, const std::string& 
   for (SeriesData& series : all) {
     const auto described = results.descriptions.find(family + "/" + series.name);
     series.title = series.name;
+    const auto steps = results.steps.find(family + "/" + series.name);
+    series.steps = steps != results.steps.end() ? steps->second : "steps";
     if (described != results.descriptions.end()) {
       std::tie(series.title, series.conditions) = SplitLabel(described->second);
     }

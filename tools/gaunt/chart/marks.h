@@ -73,6 +73,7 @@ struct SeriesData {
   std::string name;
   std::vector<SeriesLine> lines;  // by label
   std::string title, conditions;  // in words
+  std::string steps = "steps";    // what they are
 };
 std::vector<SeriesData> SelectSeries(const Results& results, const std::string& family);
 

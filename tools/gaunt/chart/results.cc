@@ -44,10 +44,11 @@ Json Parse(const std::string& path) {
 }
 
 void ReadContext(const Json& context, Results& results) {
-  static const std::string kSeries = "series ";
+  static const std::string kSeries = "series ", kSteps = "steps ";
   results.compiler = context.value("compiler", "");
   for (const auto& [key, value] : context.items()) {
     if (key.rfind(kSeries, 0) == 0) results.descriptions[key.substr(kSeries.size())] = value;
+    if (key.rfind(kSteps, 0) == 0) results.steps[key.substr(kSteps.size())] = value;
   }
 }
 

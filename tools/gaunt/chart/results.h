@@ -19,6 +19,7 @@ struct Results {
   std::string compiler;
   std::vector<ResultRow> rows;                      // by name
   std::map<std::string, std::string> descriptions;  // of family/<series>
+  std::map<std::string, std::string> steps = {};    // what those of family/<series> are
 };
 
 double Median(std::vector<double> values);

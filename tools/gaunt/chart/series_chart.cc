@@ -53,7 +53,7 @@ Figure SeriesChart(const std::string& family, const std::string& conditions,
   figure.panels.push_back(std::move(panel));
   DrawTitles({family + ": " + series.title,
               series.conditions.empty() ? conditions : conditions + " · " + series.conditions,
-              "steps", "relative error"},
+              series.steps, "relative error"},
              figure);
   return figure;
 }
