@@ -204,11 +204,11 @@ TEST_P(ProductPrepared, RejectsWrongArguments) {
     EXPECT_EQ(gaunt_product_prepare(4, 3, 5, &inside, shared.data() + offset, &size),
               GAUNT_ERROR_OVERLAP);
   }
-  size_t words[64] = {};
-  words[3] = sizeof(words);
-  EXPECT_EQ(gaunt_product_prepare(4, 3, 5, &vf, words, &words[3]), GAUNT_ERROR_OVERLAP);
-  EXPECT_EQ(words[0], 0u);
-  EXPECT_EQ(words[3], sizeof(words));
+  std::vector<size_t> words(op.size() / sizeof(size_t) + 1);
+  words[3] = op.size();
+  const std::vector<size_t> words_before = words;
+  EXPECT_EQ(gaunt_product_prepare(4, 3, 5, &vf, words.data(), &words[3]), GAUNT_ERROR_OVERLAP);
+  EXPECT_EQ(words, words_before);
   EXPECT_EQ(shared, before);
   EXPECT_EQ(gaunt_product_prepare(4, 3, 5, &inside, shared.data() + 16, &size), GAUNT_OK);
 

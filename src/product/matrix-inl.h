@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include "product/transform-inl.h"
 #include "simd/lanes-inl.h"
 #include "simd/order.h"
 
@@ -17,41 +18,63 @@ namespace gaunt::product::HWY_NAMESPACE {
 
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// A square matrix of order n in memory, row by row. Each sum goes in halves, whose rounding errors
-// add up to less, and n of them go side by side, which hides the latency of multiply-adds.
+// Of a matrix in memory, some rows times the input, side by side, which hides the latency of
+// multiply-adds. Each sum goes in halves, whose rounding errors add up to less.
+template <class K, class Values, class In, class Out, size_t... i>
+GAUNT_LANES void MultiplyRowsOf(const K&, const Values& row, const In& in, const Out& out, size_t n,
+                                std::index_sequence<i...>) {
+  typename K::template Slots<sizeof...(i)> low, high;
+  const size_t half = (n + 1) / 2;
+  (low(i, Mul(row(i * n), in(0))), ...);
+  if (n == 1) return (out(i, low(i)), ...);
+  (high(i, Mul(row(i * n + half), in(half))), ...);
+  for (size_t j = 1; j < half; ++j) {
+    const auto value = in(j);
+    (low(i, MulAdd(row(i * n + j), value, low(i))), ...);
+    if (j + half == n) break;
+    const auto other = in(j + half);
+    (high(i, MulAdd(row(i * n + j + half), other, high(i))), ...);
+  }
+  (out(i, Add(low(i), high(i))), ...);
+}
+
+// The matrix of functions of order n, known when it is compiled; n rows go at a time.
 template <int n>
 struct Matrix {
   const void* values;
 
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
-    typename K::template Slots<kSize> results;
-    for (int row = 0; row < kSize; row += n) {
-      Rows(k, k.Floats(values).From(static_cast<size_t>(row * kSize)), in, results, row,
-           std::make_integer_sequence<int, n>());
+    constexpr size_t kSize = NumCoefficients(n);
+    typename K::template Slots<NumCoefficients(n)> results;  // the output may be in place
+    for (size_t row = 0; row < kSize; row += n) {
+      MultiplyRowsOf(k, k.Floats(values).From(row * kSize), in,
+                     Every<1>(results, static_cast<int>(row)), kSize,
+                     std::make_index_sequence<n>());
     }
     for (size_t p = 0; p < kSize; ++p) out(p, results(p));
   }
+};
+
+// Any matrix. An output may not be in place.
+struct AnyMatrix {
+  const void* values;
+  int rows, columns;
+
+  template <class K, class In, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
+    int i = 0;
+    for (; rows - i >= 4 && rows - i != 5; i += 4) Block<4>(k, i, in, out);
+    if (rows - i == 5) return Block<5>(k, i, in, out);
+    for (; i < rows; ++i) Block<1>(k, i, in, out);
+  }
 
  private:
-  static constexpr int kSize = NumCoefficients(n);
-  static constexpr int kHalf = (kSize + 1) / 2;
-
-  template <class K, class Values, class In, class S, int... i>
-  static GAUNT_LANES void Rows(const K&, const Values& row, const In& in, S& results, int first,
-                               std::integer_sequence<int, i...>) {
-    typename K::template Slots<n> low, high;
-    (low(i, Mul(row(i * kSize), in(0))), ...);
-    if constexpr (kHalf < kSize) (high(i, Mul(row(i * kSize + kHalf), in(kHalf))), ...);
-    for (size_t j = 1; j < kHalf; ++j) {
-      const auto value = in(j);
-      (low(i, MulAdd(row(i * kSize + j), value, low(i))), ...);
-      if (j + kHalf >= kSize) continue;
-      const auto other = in(j + kHalf);
-      (high(i, MulAdd(row(i * kSize + j + kHalf), other, high(i))), ...);
-    }
-    if constexpr (kHalf < kSize) (low(i, Add(low(i), high(i))), ...);
-    (results(static_cast<size_t>(first + i), low(i)), ...);
+  template <int kRows, class K, class In, class Out>
+  GAUNT_LANES void Block(const K& k, int first, const In& in, const Out& out) const {
+    MultiplyRowsOf(k, k.Floats(values).From(static_cast<size_t>(first * columns)), in,
+                   out.From(static_cast<size_t>(first)), static_cast<size_t>(columns),
+                   std::make_index_sequence<static_cast<size_t>(kRows)>());
   }
 };
 

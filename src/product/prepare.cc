@@ -13,14 +13,14 @@ constexpr uint32_t kMagic = 0x544E4147;  // "GANT" where the least significant b
 constexpr uint32_t kVersion = 1;
 
 Header HeaderOf(int order_f, int order_in, int order_out) {
-  const bool is_matrix =
-      order_f == order_in && order_in == order_out && order_f <= kMaxMatrixOrder;
-  return {kMagic,
-          kVersion,
-          static_cast<uint32_t>(order_f),
-          static_cast<uint32_t>(order_in),
-          static_cast<uint32_t>(order_out),
-          is_matrix ? kMatrix : kValues};
+  Header header = {kMagic,
+                   kVersion,
+                   static_cast<uint32_t>(order_f),
+                   static_cast<uint32_t>(order_in),
+                   static_cast<uint32_t>(order_out),
+                   0};
+  header.kind = KindOf(header);
+  return header;
 }
 
 size_t NumFloats(const Header& header) {
@@ -109,17 +109,25 @@ void PutValues(const Function& f, int grid, FloatWriter& out) {
   }
 }
 
-void PutMatrix(const Function& f, int order, FloatWriter& out) {
-  for (int row = 0; row < NumCoefficients(order); ++row) {
+// Of Gaunt coefficients, most of which vanish: of f, degrees whose sum with both others is even, and
+// orders of at most two sizes.
+void PutMatrix(const Function& f, const Header& header, FloatWriter& out) {
+  const auto size = [](int m) { return m < 0 ? -m : m; };
+  for (int row = 0; row < NumCoefficients(static_cast<int>(header.out)); ++row) {
     const int l = BandOf(row), m = row - CoefficientIndex(l, 0);
-    for (int column = 0; column < NumCoefficients(order); ++column) {
+    for (int column = 0; column < NumCoefficients(static_cast<int>(header.in)); ++column) {
       const int l_in = BandOf(column), m_in = column - CoefficientIndex(l_in, 0);
-      double sum = 0.0;
-      for (int i = 0; i < NumCoefficients(order); ++i) {
-        const int l_f = BandOf(i);
-        sum += Gaunt(l_f, i - CoefficientIndex(l_f, 0), l_in, m_in, l, m) * f(i);
+      const int sum = size(m) + size(m_in), difference = size(size(m) - size(m_in));
+      const int sign = (m < 0) == (m_in < 0) ? 1 : -1;
+      double entry = 0.0;
+      for (int l_f = size(l - l_in); l_f <= l + l_in && l_f <= f.degree(); l_f += 2) {
+        for (const int m_f : {sum, difference}) {
+          if (m_f > l_f || (m_f == 0 && sign < 0)) continue;
+          entry += Gaunt(l_f, sign * m_f, l_in, m_in, l, m) * f(CoefficientIndex(l_f, sign * m_f));
+          if (sum == difference) break;
+        }
       }
-      out.Put(sum);
+      out.Put(entry);
     }
   }
 }
@@ -135,7 +143,7 @@ void Prepare(int order_f, int order_in, int order_out, const simd::InView& f, vo
   std::memcpy(bytes, &header, sizeof(header));
   FloatWriter out(static_cast<unsigned char*>(bytes) + sizeof(header));
   if (header.kind == kMatrix) {
-    PutMatrix(Function(order_f - 1, f), order_f, out);
+    PutMatrix(Function(DegreesOf(header).a, f), header, out);
   } else {
     PutValues(Function(DegreesOf(header).a, f), GridOf(header), out);
   }

@@ -17,19 +17,27 @@ namespace gaunt::product::prepared::HWY_NAMESPACE {
 
 using namespace gaunt::product::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
-// Runs a kernel on each channel.
-template <size_t kMaxIn, size_t kMaxOut, class Kernel>
-void ForChannels(const Header& header, const Kernel& kernel, Place place, size_t channels,
-                 size_t count, const simd::InView& in, const simd::OutView& out) {
+// Runs a kernel on each channel, of functions of orders up to kMax if these are known.
+template <int kMaxIn, int kMaxOut, class Kernel>
+void ForChannelsOf(const Header& header, const Kernel& kernel, Place place, size_t channels,
+                   size_t count, const simd::InView& in, const simd::OutView& out) {
   const size_t in_planes = header.in * header.in, out_planes = header.out * header.out;
   for (size_t c = 0; c < channels; ++c) {
-    ForEachBatch(count, kernel, In<kMaxIn>(in.FromPlane(c * in_planes), in_planes, 0, place),
-                 Out<kMaxOut>(out.FromPlane(c * out_planes), out_planes));
+    ForEachBatch(
+        count, kernel,
+        In<NumCoefficients(kMaxIn)>(in.FromPlane(c * in_planes), in_planes, 0, place),
+        Out<NumCoefficients(kMaxOut)>(out.FromPlane(c * out_planes), out_planes, 0, place));
   }
 }
-
-constexpr size_t kMaxInPlanes = NumCoefficients(kMaxOrder);
-constexpr size_t kMaxOutPlanes = NumCoefficients(kMaxOutOrder);
+template <class Kernel>
+void ForChannels(const Header& header, const Kernel& kernel, Place place, size_t channels,
+                 size_t count, const simd::InView& in, const simd::OutView& out) {
+  if (header.out <= kMaxOrder) {
+    ForChannelsOf<kMaxOrder, kMaxOrder>(header, kernel, place, channels, count, in, out);
+  } else {
+    ForChannelsOf<kMaxOrder, kMaxOutOrder>(header, kernel, place, channels, count, in, out);
+  }
+}
 
 using ApplyFn = void (*)(const Header& header, const void* values, size_t channels, size_t count,
                          const simd::InView& in, const simd::OutView& out);
@@ -37,9 +45,7 @@ using ApplyFn = void (*)(const Header& header, const void* values, size_t channe
 template <int n>
 void ApplyMatrix(const Header& header, const void* values, size_t channels, size_t count,
                  const simd::InView& in, const simd::OutView& out) {
-  constexpr int kPlanes = NumCoefficients(n);
-  ForChannels<kPlanes, kPlanes>(header, Matrix<n>{values}, Place::kNearby, channels, count,
-                                in, out);
+  ForChannelsOf<n, n>(header, Matrix<n>{values}, Place::kNearby, channels, count, in, out);
 }
 template <int... n>
 constexpr auto MakeMatrices(std::integer_sequence<int, 0, n...>) {
@@ -48,28 +54,37 @@ constexpr auto MakeMatrices(std::integer_sequence<int, 0, n...>) {
   };
   return Matrices{{nullptr, &ApplyMatrix<n>...}};
 }
-constexpr auto kMatrices = MakeMatrices(gaunt::Orders<kMaxMatrixOrder>());
+constexpr auto kMatrices = MakeMatrices(gaunt::Orders<kMinFixed - 1>());
+
+void ApplyAnyMatrix(const Header& header, const void* values, size_t channels, size_t count,
+                    const simd::InView& in, const simd::OutView& out) {
+  const AnyMatrix kernel = {values, static_cast<int>(header.out * header.out),
+                            static_cast<int>(header.in * header.in)};
+  ForChannels(header, kernel, Place::kApart, channels, count, in, out);
+}
 
 template <int n>
 void ApplyFixed(const Header& header, const void* values, size_t channels, size_t count,
                 const simd::InView& in, const simd::OutView& out) {
   const PreparedKernel<n> kernel = {values};
-  ForChannels<NumCoefficients(n), NumCoefficients(n)>(header, kernel, Place::kNearby, channels,
-                                                      count, in, out);
+  ForChannelsOf<n, n>(header, kernel, Place::kNearby, channels, count, in, out);
 }
+template <int... i>
+constexpr auto MakeFixedCases(std::integer_sequence<int, i...>) {
+  struct Cases {
+    ApplyFn apply[sizeof...(i)];
+  };
+  return Cases{{&ApplyFixed<kMinFixed + i>...}};
+}
+constexpr auto kFixedCases =
+    MakeFixedCases(std::make_integer_sequence<int, kMaxFixed - kMinFixed + 1>());
 
 template <int M>
 void ApplyAny(const Header& header, const void* values, size_t channels, size_t count,
               const simd::InView& in, const simd::OutView& out) {
   const Degrees degrees = DegreesOf(header);
   const AnyGrid<M, kLevel> kernel = {{degrees.b, degrees.a, degrees.out}, values};
-  if (header.out <= kMaxOrder) {
-    ForChannels<kMaxInPlanes, kMaxInPlanes>(header, kernel, Place::kApart, channels, count, in,
-                                            out);
-  } else {
-    ForChannels<kMaxInPlanes, kMaxOutPlanes>(header, kernel, Place::kApart, channels, count, in,
-                                             out);
-  }
+  ForChannels(header, kernel, Place::kApart, channels, count, in, out);
 }
 template <int... i>
 constexpr auto MakeAnyCases(std::integer_sequence<int, i...>) {
@@ -80,16 +95,20 @@ constexpr auto MakeAnyCases(std::integer_sequence<int, i...>) {
 }
 constexpr auto kAnyCases = MakeAnyCases(std::make_integer_sequence<int, kNumPointCounts>());
 
+ApplyFn ApplyOf(const Header& header) {
+  if (header.kind == kMatrix) {
+    return IsEqual(header) && header.in < kMinFixed ? kMatrices.apply[header.in] : &ApplyAnyMatrix;
+  }
+  return HasFixedKernel(header) ? kFixedCases.apply[header.in - kMinFixed]
+                                : kAnyCases.apply[PointCase(GridOf(header))];
+}
+
 void Apply(const void* bytes, size_t channels, size_t count, const simd::InView& in,
            const simd::OutView& out) {
   Header header;
   std::memcpy(&header, bytes, sizeof(header));
   const void* const values = static_cast<const unsigned char*>(bytes) + sizeof(header);
-  const ApplyFn apply = header.kind == kMatrix ? kMatrices.apply[header.in]
-                        : header.f == 6 && header.in == 6 && header.out == 6
-                            ? &ApplyFixed<6>
-                            : kAnyCases.apply[PointCase(GridOf(header))];
-  apply(header, values, channels, count, in, out);
+  ApplyOf(header)(header, values, channels, count, in, out);
 }
 
 const Table* GetTable() {

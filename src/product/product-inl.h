@@ -62,7 +62,7 @@ template <int n>
 using PreparedKernel = FixedGrid<n, n, n, kLevel, Second::kPrepared>;
 
 // The highest orders that have kernels of their own; above, all share those of any order.
-inline constexpr int kMaxFixedProduct = 8, kMaxFixedSquare = 6, kMaxFixedPrepared = 6;
+inline constexpr int kMaxFixedProduct = 8, kMaxFixedSquare = 6;
 
 }  // namespace gaunt::product::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -56,10 +56,11 @@ void AnyProduct(const Orders& orders, const Degrees& degrees, size_t channels, s
     In<kMaxPlanes> side_b(Channel(b, c, orders.b), planes(degrees.b), 0, Place::kApart);
     const simd::OutView to = Channel(out, c, orders.out);
     if (orders.out <= kMaxOrder) {
-      ForEachBatch(count, kernel, side_a, side_b, Out<kMaxPlanes>(to, planes(degrees.out)));
+      ForEachBatch(count, kernel, side_a, side_b,
+                   Out<kMaxPlanes>(to, planes(degrees.out), 0, Place::kApart));
     } else {
       ForEachBatch(count, kernel, side_a, side_b,
-                   Out<NumCoefficients(kMaxOutOrder)>(to, planes(degrees.out)));
+                   Out<NumCoefficients(kMaxOutOrder)>(to, planes(degrees.out), 0, Place::kApart));
     }
   }
 }

@@ -32,18 +32,21 @@ auto AnyKernel() {
   return kernels::AnyGrid<kPoints, kLevel>{kDegrees};
 }
 
+template <int a, int b, int out>
+Operations FastProduct() {
+  if constexpr (a == b && b == out && a > kernels::kMaxFixedProduct) {
+    return CountKernel(AnyKernel<a, b, out>(), kPlanes, kPlanes, kPlanes);
+  } else {
+    return CountKernel(kernels::ProductKernel<a, b, out>(), kPlanes, kPlanes, kPlanes);
+  }
+}
+
 // What the library runs is fast. With the values at the points themselves, the grid has the fewest
 // multiplications and more additions.
 template <int a, int b, int out>
 void AppendProduct(OperationRows& rows) {
   const std::string order = OrderOf(a, b, out);
-  Operations fast;
-  if constexpr (a == b && b == out && a > kernels::kMaxFixedProduct) {
-    fast = CountKernel(AnyKernel<a, b, out>(), kPlanes, kPlanes, kPlanes);
-  } else {
-    fast = CountKernel(kernels::ProductKernel<a, b, out>(), kPlanes, kPlanes, kPlanes);
-  }
-  rows.push_back({"product", order, "fast", fast});
+  rows.push_back({"product", order, "fast", FastProduct<a, b, out>()});
   if constexpr (a > 2) {
     rows.push_back({"product", order, "fewest",
                     CountKernel(kernels::FixedGrid<a, b, out, Level::kPoints>(), kPlanes, kPlanes,
@@ -62,19 +65,25 @@ void AppendFewest(OperationRows& rows, const std::string& op) {
 
 template <int n>
 void AppendSquare(OperationRows& rows) {
+  Operations fast;
   if constexpr (n <= kernels::kMaxFixedSquare) {
-    rows.push_back({"product_square", std::to_string(n), "fast",
-                    CountKernel(kernels::SquareKernel<n>(), kPlanes, kPlanes)});
+    fast = CountKernel(kernels::SquareKernel<n>(), kPlanes, kPlanes);
+  } else {
+    fast = FastProduct<n, n, n>();
   }
+  rows.push_back({"product_square", std::to_string(n), "fast", fast});
   AppendFewest<n, Second::kSame>(rows, "product_square");
 }
 
 template <int n>
 void AppendPrepared(OperationRows& rows) {
   Operations fast;
-  if constexpr (n <= prepared::kMaxMatrixOrder) {
+  constexpr prepared::Header kHeader = {0, 0, n, n, n, 0};
+  if constexpr (n < prepared::kMinFixed) {
     fast = CountKernel(kernels::Matrix<n>{nullptr}, kPlanes, kPlanes);
-  } else if constexpr (n <= kernels::kMaxFixedPrepared) {
+  } else if constexpr (prepared::KindOf(kHeader) == prepared::kMatrix) {
+    fast = CountKernel(kernels::AnyMatrix{nullptr, n * n, n * n}, kPlanes, kPlanes);
+  } else if constexpr (prepared::HasFixedKernel(kHeader)) {
     fast = CountKernel(kernels::PreparedKernel<n>(), kPlanes, kPlanes);
   } else {
     fast = CountKernel(AnyKernel<n, n, n>(), kPlanes, kPlanes);
@@ -99,6 +108,8 @@ void AppendOperations(OperationRows& rows) {
   AppendProduct<6, 6, 4>(rows);
   AppendProduct<2, 6, 6>(rows);
   AppendProduct<3, 6, 6>(rows);
+  rows.push_back({"product", "6x6->11", "fast",
+                  CountKernel(AnyKernel<6, 6, 11>(), kPlanes, kPlanes, kPlanes)});
   AppendAxialOperations(rows);
   AppendMethodOperations(rows);
 }

@@ -96,6 +96,12 @@ constexpr bool WorthStreaming(size_t count, size_t planes) {
   return count * planes >= kBytes / sizeof(float);
 }
 
+// Where a kernel wants its planes: wherever they lie; close together, if it reads them again and
+// again, which planes far apart would keep out of the first cache; or apart, in tiles of its own, if
+// it writes before it has read all, or reads what it has written.
+enum class Place { kAnywhere, kNearby, kApart };
+inline constexpr ptrdiff_t kNearbyStride = 4 * kTileStride;
+
 // One view of a batch, and the stack tiles that stand in for it where it cannot be used in place.
 template <class Cursor, class View>
 class Side {
@@ -104,14 +110,19 @@ class Side {
   size_t items() const { return items_; }
 
  protected:
-  Side(const View& view, size_t planes, size_t first, float* tile, size_t items)
+  Side(const View& view, size_t planes, size_t first, Place place, float* tile, size_t items)
       : view_(view),
         planes_(planes),
         first_(first),
         shape_(ShapeOf(view, planes)),
-        direct_(IsContiguous(view, hn::Lanes(LaneTag()))),
+        direct_(IsContiguous(view, hn::Lanes(LaneTag())) && Suits(view.plane_stride, place)),
         tile_(tile),
         items_(items) {}
+
+  static bool Suits(ptrdiff_t stride, Place place) {
+    return place == Place::kAnywhere ||
+           (place == Place::kNearby && stride <= kNearbyStride && stride >= -kNearbyStride);
+  }
 
   // Whole groups are used where they lie; a tail never is.
   bool InPlace(size_t n) const { return direct_ && n % hn::Lanes(LaneTag()) == 0; }
@@ -124,12 +135,6 @@ class Side {
   float* tile_;
   size_t items_;  // that the tiles hold
 };
-
-// Where a kernel wants an input: wherever it lies; with planes close together, for kernels that read
-// them again and again, which planes far apart would keep out of the first cache; or in tiles of its
-// own, for kernels that write their output before they have read all of it.
-enum class Place { kAnywhere, kNearby, kApart };
-inline constexpr ptrdiff_t kNearbyStride = 4 * kTileStride;
 
 class InSide : public Side<InCursor, simd::InView> {
  public:
@@ -146,11 +151,7 @@ class InSide : public Side<InCursor, simd::InView> {
  protected:
   HWY_NOINLINE InSide(const simd::InView& view, size_t planes, size_t first, Place place,
                       float* tile, size_t items)
-      : Side(view, planes, first, tile, items), splat_(view.IsBroadcast()) {
-    const ptrdiff_t stride = view.plane_stride < 0 ? -view.plane_stride : view.plane_stride;
-    if (place == Place::kApart || (place == Place::kNearby && stride > kNearbyStride)) {
-      direct_ = false;
-    }
+      : Side(view, planes, first, place, tile, items), splat_(view.IsBroadcast()) {
     if (!splat_) return;
     LoadTiles(view, RowShape::kOther, 0, 1, planes, tile);
     direct_ = true;
@@ -181,9 +182,9 @@ class OutSide : public Side<OutCursor, simd::OutView> {
   }
 
  protected:
-  HWY_NOINLINE OutSide(const simd::OutView& view, size_t planes, size_t first, float* tile,
-                       size_t items)
-      : Side(view, planes, first, tile, items) {}
+  HWY_NOINLINE OutSide(const simd::OutView& view, size_t planes, size_t first, Place place,
+                       float* tile, size_t items)
+      : Side(view, planes, first, place, tile, items) {}
 
  private:
   bool streams_ = false;  // past the caches
@@ -208,8 +209,9 @@ class In : private TileStorage<kPlanes>, public InSide {
 template <size_t kPlanes>
 class Out : private TileStorage<kPlanes>, public OutSide {
  public:
-  explicit Out(const simd::OutView& view, size_t planes = kPlanes, size_t first = 0)
-      : OutSide(view, planes, first, this->tile, TileStorage<kPlanes>::kItems) {}
+  explicit Out(const simd::OutView& view, size_t planes = kPlanes, size_t first = 0,
+               Place place = Place::kAnywhere)
+      : OutSide(view, planes, first, place, this->tile, TileStorage<kPlanes>::kItems) {}
 };
 
 template <class K, class Kernel, class... Cursors>
