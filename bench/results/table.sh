@@ -30,6 +30,10 @@ awk -F'"' '
           each "/interleaved/1024/zxzxz")
     }
     for (n = 3; n <= 6; n += 3) {
+      product = "product/product_mono/n" n
+      row("product, order " n, product "/tiled/1024", product "/interleaved/1024/table")
+    }
+    for (n = 3; n <= 6; n += 3) {
       one = "rotate/one_mono/n" n
       row("rotation of all by one, order " n, one "/tiled/1024", one "/interleaved/1024/blocks")
     }

@@ -790,7 +790,8 @@ GAUNT_API gaunt_status gaunt_product_cosine_axis(uint32_t n, uint32_t channels, 
 
 /**
  * Prepares products of one function with many: writes bytes with which gaunt_product_apply()
- * multiplies by f, in fewer operations than gaunt_product() of a broadcast f.
+ * multiplies by f, in fewer operations than gaunt_product() of a broadcast f. Of equal
+ * orders it takes about as long up to order 4, and 0.3 to 0.8 times as long above, with AVX2.
  *
  * The bytes are the same on every SIMD target. They hold no pointers, need no alignment, and may be
  * copied, or saved to a file for machines of the same byte order.

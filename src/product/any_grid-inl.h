@@ -86,8 +86,8 @@ HWY_NOINLINE void RowOfAnyProduct(const K& k, const Values& a, const Values& b, 
   RowOfProduct<M, LastOrder(M), level, false>(k, a, b, row);
 }
 
-// The output is where sums are kept, so that it may not be an input in place. A second factor that
-// is prepared has values instead of coefficients.
+// The output is where sums are kept, so that it may not be an input in place. Of one input, the
+// second factor is the first or, if there are values of a prepared function, that function.
 template <int M, Level level>
 struct AnyGrid {
   Degrees degrees;
@@ -95,23 +95,23 @@ struct AnyGrid {
 
   template <class K, class InA, class InB, class Out>
   GAUNT_LANES void operator()(const K& k, const InA& a, const InB& b, const Out& out) const {
-    Run<false>(k, a, b, out);
+    Run<true>(k, a, b, out);
   }
   template <class K, class In, class Out>
   GAUNT_LANES void operator()(const K& k, const In& in, const Out& out) const {
-    Run<true>(k, in, in, out);
+    Run<false>(k, in, in, out);
   }
 
  private:
   static constexpr int kLast = LastOrder(M), kWidth = RowWidth(M);
 
-  template <bool kPrepared, class K, class InA, class InB, class Out>
+  template <bool kOther, class K, class InA, class InB, class Out>
   GAUNT_LANES void Run(const K& k, const InA& a, const InB& b, const Out& out) const {
     const GridTable& table = kGrids<level>;
     const int grid = GridOf(degrees.a + degrees.b + degrees.out);
     auto values = k.Floats(prepared);
-    Begin<kPrepared>(k, table, grid, a, b, values, out);
-    values = values.From(kPoleValues);
+    Begin<kOther>(k, table, grid, a, b, values, out);
+    if (prepared != nullptr) values = values.From(kPoleValues);
     typename K::template Slots<4 * kWidth> slots;  // rows of the first factor become the product's
     typename K::template Slots<M> a_values, b_values;
     const int pairs = GridTable::Pairs(grid);
@@ -119,19 +119,17 @@ struct AnyGrid {
       const bool is_pair = i >= 0;
       const RowFactors factors = table.Row(grid, is_pair ? i : pairs);
       SynthesiseRows(k, factors.in, a, degrees.a, kLast, is_pair, RowOf(slots, 0), RowOf(slots, 1));
-      if (!kPrepared) {
+      if (kOther) {
         SynthesiseRows(k, factors.in, b, degrees.b, kLast, is_pair, RowOf(slots, 2),
                        RowOf(slots, 3));
       }
       for (int row = 0; row < (is_pair ? 2 : 1); ++row) {
         ValuesOfAnyRow<M, level>(k, RowOf(slots, row), a_values);
-        if (kPrepared) {
-          for (int p = 0; p < M; ++p) {
-            b_values(static_cast<size_t>(p), values(static_cast<size_t>(p)));
-          }
-          values = values.From(M);
-        } else {
+        if (kOther) {
           ValuesOfAnyRow<M, level>(k, RowOf(slots, 2 + row), b_values);
+        } else {
+          for (size_t p = 0; p < M; ++p) b_values(p, prepared ? values(p) : a_values(p));
+          if (prepared != nullptr) values = values.From(M);
         }
         RowOfAnyProduct<M, level>(k, a_values, b_values, RowOf(slots, row));
       }
@@ -146,16 +144,19 @@ struct AnyGrid {
   }
 
   // What the poles contribute, and 0 elsewhere.
-  template <bool kPrepared, class K, class InA, class InB, class Values, class Out>
+  template <bool kOther, class K, class InA, class InB, class Values, class Out>
   GAUNT_LANES void Begin(const K& k, const GridTable& table, int grid, const InA& a, const InB& b,
                          const Values& values, const Out& out) const {
     typename K::V upper, lower, upper_b, lower_b;
     PoleValues(k, table.PoleIn(), a, degrees.a, upper, lower);
-    if constexpr (kPrepared) {
+    if (prepared != nullptr) {
       upper_b = values(0);
       lower_b = values(1);
-    } else {
+    } else if (kOther) {
       PoleValues(k, table.PoleIn(), b, degrees.b, upper_b, lower_b);
+    } else {
+      upper_b = upper;
+      lower_b = lower;
     }
     upper = Mul(upper, upper_b);
     lower = Mul(lower, lower_b);

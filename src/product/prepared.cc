@@ -19,7 +19,7 @@ using namespace gaunt::product::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
 // Runs a kernel on each channel, of functions of orders up to kMax if these are known.
 template <int kMaxIn, int kMaxOut, class Kernel>
-void ForChannelsOf(const Header& header, const Kernel& kernel, Place place, size_t channels,
+void ForChannels(const Header& header, const Kernel& kernel, Place place, size_t channels,
                    size_t count, const simd::InView& in, const simd::OutView& out) {
   const size_t in_planes = header.in * header.in, out_planes = header.out * header.out;
   for (size_t c = 0; c < channels; ++c) {
@@ -29,23 +29,13 @@ void ForChannelsOf(const Header& header, const Kernel& kernel, Place place, size
         Out<NumCoefficients(kMaxOut)>(out.FromPlane(c * out_planes), out_planes, 0, place));
   }
 }
-template <class Kernel>
-void ForChannels(const Header& header, const Kernel& kernel, Place place, size_t channels,
-                 size_t count, const simd::InView& in, const simd::OutView& out) {
-  if (header.out <= kMaxOrder) {
-    ForChannelsOf<kMaxOrder, kMaxOrder>(header, kernel, place, channels, count, in, out);
-  } else {
-    ForChannelsOf<kMaxOrder, kMaxOutOrder>(header, kernel, place, channels, count, in, out);
-  }
-}
-
 using ApplyFn = void (*)(const Header& header, const void* values, size_t channels, size_t count,
                          const simd::InView& in, const simd::OutView& out);
 
 template <int n>
 void ApplyMatrix(const Header& header, const void* values, size_t channels, size_t count,
                  const simd::InView& in, const simd::OutView& out) {
-  ForChannelsOf<n, n>(header, Matrix<n>{values}, Place::kNearby, channels, count, in, out);
+  ForChannels<n, n>(header, Matrix<n>{values}, Place::kNearby, channels, count, in, out);
 }
 template <int... n>
 constexpr auto MakeMatrices(std::integer_sequence<int, 0, n...>) {
@@ -60,14 +50,14 @@ void ApplyAnyMatrix(const Header& header, const void* values, size_t channels, s
                     const simd::InView& in, const simd::OutView& out) {
   const AnyMatrix kernel = {values, static_cast<int>(header.out * header.out),
                             static_cast<int>(header.in * header.in)};
-  ForChannels(header, kernel, Place::kApart, channels, count, in, out);
+  ForChannels<kMaxOrder, kMaxOutOrder>(header, kernel, Place::kApart, channels, count, in, out);
 }
 
 template <int n>
 void ApplyFixed(const Header& header, const void* values, size_t channels, size_t count,
                 const simd::InView& in, const simd::OutView& out) {
   const PreparedKernel<n> kernel = {values};
-  ForChannelsOf<n, n>(header, kernel, Place::kNearby, channels, count, in, out);
+  ForChannels<n, n>(header, kernel, Place::kNearby, channels, count, in, out);
 }
 template <int... i>
 constexpr auto MakeFixedCases(std::integer_sequence<int, i...>) {
@@ -79,28 +69,17 @@ constexpr auto MakeFixedCases(std::integer_sequence<int, i...>) {
 constexpr auto kFixedCases =
     MakeFixedCases(std::make_integer_sequence<int, kMaxFixed - kMinFixed + 1>());
 
-template <int M>
-void ApplyAny(const Header& header, const void* values, size_t channels, size_t count,
-              const simd::InView& in, const simd::OutView& out) {
-  const Degrees degrees = DegreesOf(header);
-  const AnyGrid<M, kLevel> kernel = {{degrees.b, degrees.a, degrees.out}, values};
-  ForChannels(header, kernel, Place::kApart, channels, count, in, out);
+void ApplyValues(const Header& header, const void* values, size_t channels, size_t count,
+                 const simd::InView& in, const simd::OutView& out) {
+  const Orders orders = OrdersOf(header);
+  product::Kernels().prepared({orders.b, orders.a, orders.out}, values, channels, count, in, out);
 }
-template <int... i>
-constexpr auto MakeAnyCases(std::integer_sequence<int, i...>) {
-  struct Cases {
-    ApplyFn apply[sizeof...(i)];
-  };
-  return Cases{{&ApplyAny<kPointCounts[i]>...}};
-}
-constexpr auto kAnyCases = MakeAnyCases(std::make_integer_sequence<int, kNumPointCounts>());
 
 ApplyFn ApplyOf(const Header& header) {
   if (header.kind == kMatrix) {
     return IsEqual(header) && header.in < kMinFixed ? kMatrices.apply[header.in] : &ApplyAnyMatrix;
   }
-  return HasFixedKernel(header) ? kFixedCases.apply[header.in - kMinFixed]
-                                : kAnyCases.apply[PointCase(GridOf(header))];
+  return HasFixedKernel(header) ? kFixedCases.apply[header.in - kMinFixed] : &ApplyValues;
 }
 
 void Apply(const void* bytes, size_t channels, size_t count, const simd::InView& in,

@@ -37,10 +37,10 @@ constexpr Kind KindOf(const Header& header) {
   return !HasFixedKernel(header) && entries <= kMaxMatrixEntries ? kMatrix : kValues;
 }
 
-constexpr Degrees DegreesOf(const Header& header) {
-  return Coupled({static_cast<int>(header.f), static_cast<int>(header.in),
-                  static_cast<int>(header.out)});
+constexpr Orders OrdersOf(const Header& header) {
+  return {static_cast<int>(header.f), static_cast<int>(header.in), static_cast<int>(header.out)};
 }
+constexpr Degrees DegreesOf(const Header& header) { return Coupled(OrdersOf(header)); }
 constexpr int GridOf(const Header& header) {
   const Degrees degrees = DegreesOf(header);
   return product::GridOf(degrees.a + degrees.b + degrees.out);

@@ -61,8 +61,8 @@ using SquareKernel = typename SquareOf<n>::Kernel;
 template <int n>
 using PreparedKernel = FixedGrid<n, n, n, kLevel, Second::kPrepared>;
 
-// The highest orders that have kernels of their own; above, all share those of any order.
-inline constexpr int kMaxFixedProduct = 8, kMaxFixedSquare = 6;
+// The highest equal orders that have kernels of their own; above, all share those of any order.
+inline constexpr int kMaxFixed = 8;
 
 }  // namespace gaunt::product::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

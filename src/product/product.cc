@@ -44,24 +44,40 @@ void FixedSquare(int, int, size_t channels, size_t count, const simd::InView& in
   }
 }
 
-// The others. Bands that couple with nothing are not read.
+// The others, of one factor or two. Bands that couple with nothing are not read.
+inline constexpr size_t kMaxPlanes = NumCoefficients(kMaxOrder);
+constexpr size_t PlanesOf(int degree) { return static_cast<size_t>(NumCoefficients(degree + 1)); }
+auto InOfAny(const simd::InView& view, size_t channel, int order, int degree) {
+  return In<kMaxPlanes>(Channel(view, channel, order), PlanesOf(degree), 0, Place::kApart);
+}
+
+template <class Kernel, class... Sides>
+void AnyBatch(const Kernel& kernel, size_t count, const simd::OutView& out, Sides&&... ins) {
+  const size_t planes = PlanesOf(kernel.degrees.out);
+  if (planes <= kMaxPlanes) {
+    ForEachBatch(count, kernel, ins..., Out<kMaxPlanes>(out, planes, 0, Place::kApart));
+  } else {
+    ForEachBatch(count, kernel, ins...,
+                 Out<NumCoefficients(kMaxOutOrder)>(out, planes, 0, Place::kApart));
+  }
+}
+
 template <int M>
 void AnyProduct(const Orders& orders, const Degrees& degrees, size_t channels, size_t count,
                 const simd::InView& a, const simd::InView& b, const simd::OutView& out) {
-  constexpr size_t kMaxPlanes = NumCoefficients(kMaxOrder);
-  const AnyGrid<M, kLevel> kernel = {degrees};
-  const auto planes = [](int L) { return static_cast<size_t>(NumCoefficients(L + 1)); };
   for (size_t c = 0; c < channels; ++c) {
-    In<kMaxPlanes> side_a(Channel(a, c, orders.a), planes(degrees.a), 0, Place::kApart);
-    In<kMaxPlanes> side_b(Channel(b, c, orders.b), planes(degrees.b), 0, Place::kApart);
-    const simd::OutView to = Channel(out, c, orders.out);
-    if (orders.out <= kMaxOrder) {
-      ForEachBatch(count, kernel, side_a, side_b,
-                   Out<kMaxPlanes>(to, planes(degrees.out), 0, Place::kApart));
-    } else {
-      ForEachBatch(count, kernel, side_a, side_b,
-                   Out<NumCoefficients(kMaxOutOrder)>(to, planes(degrees.out), 0, Place::kApart));
-    }
+    AnyBatch(AnyGrid<M, kLevel>{degrees}, count, Channel(out, c, orders.out),
+             InOfAny(a, c, orders.a, degrees.a), InOfAny(b, c, orders.b, degrees.b));
+  }
+}
+// The square of a or, if there are values, its product with the function that has them.
+template <int M>
+void AnyProductOfOne(const Orders& orders, const Degrees& degrees, const void* values,
+                     size_t channels, size_t count, const simd::InView& a,
+                     const simd::OutView& out) {
+  for (size_t c = 0; c < channels; ++c) {
+    AnyBatch(AnyGrid<M, kLevel>{degrees, values}, count, Channel(out, c, orders.out),
+             InOfAny(a, c, orders.a, degrees.a));
   }
 }
 
@@ -76,17 +92,29 @@ constexpr FixedCase kFixedCases[] = {
     kFixedCase<5, 5, 5>, kFixedCase<6, 6, 6>, kFixedCase<7, 7, 7>, kFixedCase<8, 8, 8>,
     kFixedCase<6, 6, 3>, kFixedCase<6, 6, 4>, kFixedCase<2, 6, 6>, kFixedCase<3, 6, 6>};
 
-using AnyFn = void (*)(const Orders&, const Degrees&, size_t, size_t, const simd::InView&,
-                       const simd::InView&, const simd::OutView&);
+// The kernel of orders that have one of their own, or null.
+ProductFn FixedProductOf(const Degrees& degrees) {
+  for (const FixedCase& fixed : kFixedCases) {
+    const Orders& have = fixed.orders;
+    if (have.a == degrees.a + 1 && have.b == degrees.b + 1 && have.out == degrees.out + 1) {
+      return fixed.product;
+    }
+  }
+  return nullptr;
+}
+
 template <int... i>
 constexpr auto MakeAnyCases(std::integer_sequence<int, i...>) {
   struct Cases {
-    int points[sizeof...(i)];
-    AnyFn product[sizeof...(i)];
+    decltype(&AnyProduct<kPointCounts[0]>) product[sizeof...(i)];
+    decltype(&AnyProductOfOne<kPointCounts[0]>) of_one[sizeof...(i)];
   };
-  return Cases{{kPointCounts[i]...}, {&AnyProduct<kPointCounts[i]>...}};
+  return Cases{{&AnyProduct<kPointCounts[i]>...}, {&AnyProductOfOne<kPointCounts[i]>...}};
 }
 constexpr auto kAnyCases = MakeAnyCases(std::make_integer_sequence<int, kNumPointCounts>());
+int AnyCaseOf(const Degrees& degrees) {
+  return PointCase(GridOf(degrees.a + degrees.b + degrees.out));
+}
 
 void Product(const Orders& orders, size_t channels, size_t count, const simd::InView& a,
              const simd::InView& b, const simd::OutView& out) {
@@ -94,14 +122,16 @@ void Product(const Orders& orders, size_t channels, size_t count, const simd::In
     return Product({orders.b, orders.a, orders.out}, channels, count, b, a, out);
   }
   const Degrees degrees = Coupled(orders);
-  for (const FixedCase& fixed : kFixedCases) {
-    const Orders& have = fixed.orders;
-    if (have.a == degrees.a + 1 && have.b == degrees.b + 1 && have.out == orders.out) {
-      return fixed.product(orders, channels, count, a, b, out);
-    }
+  if (const ProductFn fixed = FixedProductOf(degrees)) {
+    return fixed(orders, channels, count, a, b, out);
   }
-  const int i = PointCase(GridOf(degrees.a + degrees.b + degrees.out));
-  kAnyCases.product[i](orders, degrees, channels, count, a, b, out);
+  kAnyCases.product[AnyCaseOf(degrees)](orders, degrees, channels, count, a, b, out);
+}
+
+void Prepared(const Orders& orders, const void* values, size_t channels, size_t count,
+              const simd::InView& a, const simd::OutView& out) {
+  const Degrees degrees = Coupled(orders);
+  kAnyCases.of_one[AnyCaseOf(degrees)](orders, degrees, values, channels, count, a, out);
 }
 
 template <int... n>
@@ -111,19 +141,23 @@ constexpr auto MakeSquares(std::integer_sequence<int, 0, n...>) {
   };
   return Squares{{nullptr, &FixedSquare<n>...}};
 }
-constexpr auto kSquares = MakeSquares(gaunt::Orders<kMaxFixedSquare>());
+constexpr auto kSquares = MakeSquares(gaunt::Orders<kMaxFixed>());
 
 void Square(int order, int out_order, size_t channels, size_t count, const simd::InView& in,
             const simd::OutView& out) {
-  if (order == out_order && order <= kMaxFixedSquare) {
+  const Orders orders = {order, order, out_order};
+  const Degrees degrees = Coupled(orders);
+  if (order == out_order && order <= kMaxFixed) {
     kSquares.square[order](order, out_order, channels, count, in, out);
+  } else if (const ProductFn fixed = FixedProductOf(degrees)) {
+    fixed(orders, channels, count, in, in, out);
   } else {
-    Product({order, order, out_order}, channels, count, in, in, out);
+    kAnyCases.of_one[AnyCaseOf(degrees)](orders, degrees, nullptr, channels, count, in, out);
   }
 }
 
 const Table* GetTable() {
-  static constexpr Table kTable = {&Product, &Square};
+  static constexpr Table kTable = {&Product, &Square, &Prepared};
   return &kTable;
 }
 

@@ -31,10 +31,14 @@ using ProductFn = void (*)(const Orders& orders, size_t channels, size_t count,
                            const simd::InView& a, const simd::InView& b, const simd::OutView& out);
 using SquareFn = void (*)(int order, int out_order, size_t channels, size_t count,
                           const simd::InView& in, const simd::OutView& out);
+// Products with a function b of which there are values at the points of the grid.
+using PreparedFn = void (*)(const Orders& orders, const void* values, size_t channels, size_t count,
+                            const simd::InView& a, const simd::OutView& out);
 
 struct Table {
   ProductFn product;
   SquareFn square;
+  PreparedFn prepared;  // of any orders
 };
 
 const Table& Kernels();

@@ -34,7 +34,7 @@ auto AnyKernel() {
 
 template <int a, int b, int out>
 Operations FastProduct() {
-  if constexpr (a == b && b == out && a > kernels::kMaxFixedProduct) {
+  if constexpr (a == b && b == out && a > kernels::kMaxFixed) {
     return CountKernel(AnyKernel<a, b, out>(), kPlanes, kPlanes, kPlanes);
   } else {
     return CountKernel(kernels::ProductKernel<a, b, out>(), kPlanes, kPlanes, kPlanes);
@@ -66,10 +66,10 @@ void AppendFewest(OperationRows& rows, const std::string& op) {
 template <int n>
 void AppendSquare(OperationRows& rows) {
   Operations fast;
-  if constexpr (n <= kernels::kMaxFixedSquare) {
+  if constexpr (n <= kernels::kMaxFixed) {
     fast = CountKernel(kernels::SquareKernel<n>(), kPlanes, kPlanes);
   } else {
-    fast = FastProduct<n, n, n>();
+    fast = CountKernel(AnyKernel<n, n, n>(), kPlanes, kPlanes);
   }
   rows.push_back({"product_square", std::to_string(n), "fast", fast});
   AppendFewest<n, Second::kSame>(rows, "product_square");
