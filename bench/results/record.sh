@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# record.sh GAUNT_BENCH FILE.json: runs the benchmarks whose results are kept, some 7 minutes, and
+# record.sh GAUNT_BENCH FILE.json: runs the benchmarks whose results are kept, some 8 minutes, and
 # writes medians and coefficients of variation. Needs python3.
 set -euo pipefail
 [ $# -eq 2 ] || { sed -n '3s/^# //p' "$0" >&2; exit 2; }
