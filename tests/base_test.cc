@@ -161,9 +161,28 @@ void* CallOnSmallStack(void*) {
     for (const bool for_all : {false, true}) {
       EXPECT_EQ(gaunt_rotate(order, kChannels, 600, for_all ? &first : &q, &in_place, &in_place),
                 GAUNT_OK);
-      EXPECT_EQ(gaunt_rotate_matrix(order, kChannels, 600, for_all ? &first : &m, &in_place, &in_place),
-                GAUNT_OK);
+      EXPECT_EQ(
+          gaunt_rotate_matrix(order, kChannels, 600, for_all ? &first : &m, &in_place, &in_place),
+          GAUNT_OK);
     }
+  }
+  static float op[16384];
+  for (const uint32_t order : {6u, 7u, 8u, 9u, 10u}) {
+    const gaunt_view fa = view(f, kChannels * order * order);
+    for (const uint32_t wide : {order, 2 * order - 1}) {
+      const gaunt_view product = view(rotated, kChannels * wide * wide);
+      EXPECT_EQ(gaunt_product(order, order, wide, kChannels, 5, &fa, &fa, &product), GAUNT_OK);
+      EXPECT_EQ(gaunt_product_square(order, wide, kChannels, 5, &fa, &product), GAUNT_OK);
+      size_t size = sizeof(op);
+      EXPECT_EQ(gaunt_product_prepare(order, order, wide, &fa, op, &size), GAUNT_OK);
+      EXPECT_EQ(gaunt_product_apply(op, size, kChannels, 5, &fa, &product), GAUNT_OK);
+    }
+    const gaunt_view zonal = view(f, kChannels * order);
+    const gaunt_view product = view(rotated, kChannels * order * order);
+    EXPECT_EQ(
+        gaunt_product_zonal_axis(order, order, order, kChannels, 5, &zonal, &vd, &fa, &product),
+        GAUNT_OK);
+    EXPECT_EQ(gaunt_product_cosine_axis(order, kChannels, 5, &vd, &fa, &product), GAUNT_OK);
   }
   const gaunt_view values = view(out[1], kChannels);
   EXPECT_EQ(gaunt_project_samples(n, kChannels, kCount, &vd, &values, &weights, &all), GAUNT_OK);
@@ -187,7 +206,7 @@ TEST(Stack, IsWhatTheManualPromises) {
   pthread_attr_t attributes;
   ASSERT_EQ(pthread_attr_init(&attributes), 0);
   // What the test and the C library need comes on top; some systems want more in any case.
-  constexpr size_t kPromised = 64 << 10, kOwn = 24 << 10;
+  constexpr size_t kPromised = 64 << 10, kOwn = 4 << 10;
   const size_t least = static_cast<size_t>(sysconf(_SC_THREAD_STACK_MIN));
   ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::max(kPromised + kOwn, least)), 0);
   for (const std::string& target : SupportedTargets()) {

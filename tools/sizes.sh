@@ -4,7 +4,7 @@
 # library. With a family and a limit in KB, fails if a target has more of that family.
 set -euo pipefail
 [ $# -eq 1 ] || [ $# -eq 3 ] || { sed -n '3,4s/^# \{0,1\}//p' "$0" >&2; exit 2; }
-[ -r "$1" ] || { echo "sizes.sh: cannot read $1" >&2; exit 2; }
+[ -f "$1" ] || { echo "sizes.sh: cannot read $1" >&2; exit 2; }
 
 nm --print-size --defined-only --demangle --radix=d "$1" 2>/dev/null | awk -v checked="${2:-}" -v limit="${3:-0}" '
   # Address, size, kind of symbol, name: of templates, the family is in an argument.

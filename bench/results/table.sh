@@ -31,7 +31,7 @@ awk -F'"' '
     }
     for (n = 3; n <= 6; n += 3) {
       product = "product/product_mono/n" n
-      row("product, order " n, product "/tiled/1024", product "/interleaved/1024/table")
+      row("product, order " n, product "/tiled/1024", product "/interleaved/1024/pairs")
     }
     for (n = 3; n <= 6; n += 3) {
       one = "rotate/one_mono/n" n

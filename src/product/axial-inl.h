@@ -387,8 +387,8 @@ struct MultiplyByZonalAny {
     if constexpr (difference == 0) {
       return AddTerms<0, 1>(k, bands, low, factor, bands(0));
     } else {
-      return AddTerms<difference, 1>(
-          k, bands, low, factor, Mul(k(factor[TermIndex(difference, 0)]), bands(difference)));
+      return AddTerms<difference, 1>(k, bands, low, factor,
+                                     Mul(k(factor[TermIndex(difference, 0)]), bands(difference)));
     }
   }
 
@@ -399,8 +399,7 @@ struct MultiplyByZonalAny {
     if constexpr (kBand < a) {
       if (low < term) return sum;
       return AddTerms<difference, term + 1>(
-          k, bands, low, factor,
-          MulAdd(k(factor[TermIndex(difference, term)]), bands(kBand), sum));
+          k, bands, low, factor, MulAdd(k(factor[TermIndex(difference, term)]), bands(kBand), sum));
     } else {
       return sum;
     }

@@ -25,7 +25,7 @@ inline constexpr size_t kMaxOutPlanes = Planes(kMaxOutOrder);
 inline constexpr size_t kMaxTurnedPlanes = Planes(rotate::kMaxOrder);
 // Of all channels.
 template <int n>
-inline constexpr size_t kAllPlanes = kMaxChannels * Planes(n);
+inline constexpr size_t kAllPlanes = kMaxChannels* Planes(n);
 
 // Zonal functions about z, which vary: their planes, and the kernels that multiply by them.
 class ZonalFactor {
@@ -295,9 +295,12 @@ void FixedAxisBatch(int order, size_t channels, size_t count, const simd::InView
 }
 
 const Table* GetTable() {
-  static constexpr Table kTable = {&ZonalBatch,         &ZonalAxisBatch,
-                                   &FixedBatch<Hemisphere>, &FixedAxisBatch<Hemisphere>,
-                                   &FixedBatch<Cosine>, &FixedAxisBatch<Cosine>};
+  static constexpr Table kTable = {&ZonalBatch,
+                                   &ZonalAxisBatch,
+                                   &FixedBatch<Hemisphere>,
+                                   &FixedAxisBatch<Hemisphere>,
+                                   &FixedBatch<Cosine>,
+                                   &FixedAxisBatch<Cosine>};
   return &kTable;
 }
 

@@ -72,7 +72,8 @@ class Hemisphere {
   static constexpr double Entry(int l1, int l2, int m) {
     if (l1 == l2) return 0.5;
     if ((l1 + l2) % 2 == 0) return 0.0;
-    return (m == 0 ? 2.0 : 1.0) * kPi * (Slope(l1, m) * Value(l2, m) - Value(l1, m) * Slope(l2, m)) /
+    return (m == 0 ? 2.0 : 1.0) * kPi *
+           (Slope(l1, m) * Value(l2, m) - Value(l1, m) * Slope(l2, m)) /
            ((l1 - l2) * (l1 + l2 + 1.0));
   }
 
@@ -121,8 +122,8 @@ struct ZonalTable {
       for (int m = 0; m <= low; ++m) {
         for (int difference = 0; difference < kMaxOrder; ++difference) {
           for (int term = 0; term < NumTerms(difference); ++term) {
-            factor[ColumnIndex(low, m)][TermIndex(difference, term)] = static_cast<float>(
-                ZonalEntry(difference + 2 * term, low, low + difference, m));
+            factor[ColumnIndex(low, m)][TermIndex(difference, term)] =
+                static_cast<float>(ZonalEntry(difference + 2 * term, low, low + difference, m));
           }
         }
       }

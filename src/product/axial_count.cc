@@ -31,8 +31,7 @@ Operations CountTurns(int in_order, int out_order) {
 template <int n>
 void AppendZonal(OperationRows& rows) {
   Append(rows, "product_zonal", std::to_string(n),
-         CountKernel(kernels::MultiplyByZonal<n>{1}, kPlanes, kPlanes, kPlanes),
-         CountTurns(n, n));
+         CountKernel(kernels::MultiplyByZonal<n>{1}, kPlanes, kPlanes, kPlanes), CountTurns(n, n));
   if constexpr (n < kernels::kMaxZonalOrder) AppendZonal<n + 1>(rows);
 }
 
@@ -51,9 +50,9 @@ template <int a>
 void AppendZonal(OperationRows& rows, int order, int out_order) {
   const bool is_square = order == a && out_order == a;
   Append(rows, "product_zonal",
-         is_square ? std::to_string(a)
-                   : std::to_string(a) + "x" + std::to_string(order) + "->" +
-                         std::to_string(out_order),
+         is_square
+             ? std::to_string(a)
+             : std::to_string(a) + "x" + std::to_string(order) + "->" + std::to_string(out_order),
          CountKernel(kernels::MultiplyByZonalAny<a>{order, out_order}, kPlanes, kPlanes, kPlanes),
          CountTurns(order, out_order));
 }

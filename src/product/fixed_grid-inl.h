@@ -83,7 +83,7 @@ struct FixedGrid {
   template <class K>
   struct Rows {
     typename K::template Slots<kRows * kWidthA> a;  // and of the product
-    typename K::template Slots<kLastB < 0 ? 1 : kRows * kWidthB> b;
+    typename K::template Slots < kLastB<0 ? 1 : kRows * kWidthB> b;
   };
 
   template <int L>
@@ -106,7 +106,7 @@ struct FixedGrid {
     constexpr int kCount = kPairs - kFirst < kGroup ? kPairs - kFirst : kGroup;
     constexpr bool kIsFirst = group == 0, kIsLast = group + 1 >= kGroups;
     constexpr bool kEquator = kIsFirst && kHasEquator;
-    Synthesise<kFirst, kCount, kEquator>(k, a, b, rows, Degrees<(La > kLastB ? La : kLastB)>());
+    SynthesiseGroup<kFirst, kCount, kEquator>(k, a, b, rows);
     for (int row = kEquator ? 0 : 1; row <= 2 * kCount; ++row) {
       const auto product = Every<1>(rows.a, row * kWidthA);
       if constexpr (second == Second::kOther) {
@@ -120,9 +120,41 @@ struct FixedGrid {
             k, product, prepared.From(static_cast<size_t>(stored * kPoints)), product);
       }
     }
-    Analyse<kFirst, kCount, kEquator, kIsFirst, kIsLast>(k, rows.a, poles, sums, out,
-                                                         Degrees<Lc>());
+    AnalyseGroup<kFirst, kCount, kEquator, kIsFirst, kIsLast>(k, rows.a, poles, sums, out);
     if constexpr (!kIsLast) Groups<group + 1>(k, a, b, prepared, rows, poles, sums, out);
+  }
+
+  // Of high orders apart: what compilers keep on the stack for each group is for that alone.
+  static constexpr bool kIsApart = kA > 7;
+  template <int first, int count, bool equator, class K, class InA, class InB>
+  static GAUNT_LANES void SynthesiseGroup(const K& k, const InA& a, const InB& b, Rows<K>& rows) {
+    using All = Degrees<(La > kLastB ? La : kLastB)>;
+    if constexpr (kIsApart) {
+      SynthesiseApart<first, count, equator>(k, a, b, rows, All());
+    } else {
+      Synthesise<first, count, equator>(k, a, b, rows, All());
+    }
+  }
+  template <int first, int count, bool equator, class K, class InA, class InB, class All>
+  static HWY_NOINLINE void SynthesiseApart(const K& k, const InA& a, const InB& b, Rows<K>& rows,
+                                           All all) {
+    Synthesise<first, count, equator>(k, a, b, rows, all);
+  }
+  template <int first, int count, bool equator, bool is_first, bool is_last, class K, class R,
+            class P, class S, class Out>
+  static GAUNT_LANES void AnalyseGroup(const K& k, const R& rows, const P& poles, S& sums,
+                                       const Out& out) {
+    if constexpr (kIsApart) {
+      AnalyseApart<first, count, equator, is_first, is_last>(k, rows, poles, sums, out);
+    } else {
+      Analyse<first, count, equator, is_first, is_last>(k, rows, poles, sums, out, Degrees<Lc>());
+    }
+  }
+  template <int first, int count, bool equator, bool is_first, bool is_last, class K, class R,
+            class P, class S, class Out>
+  static HWY_NOINLINE void AnalyseApart(const K& k, const R& rows, const P& poles, S& sums,
+                                        const Out& out) {
+    Analyse<first, count, equator, is_first, is_last>(k, rows, poles, sums, out, Degrees<Lc>());
   }
 
   template <int count>

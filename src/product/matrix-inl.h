@@ -19,23 +19,38 @@ namespace gaunt::product::HWY_NAMESPACE {
 using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 
 // Of a matrix in memory, some rows times the input, side by side, which hides the latency of
-// multiply-adds. Each sum goes in halves, whose rounding errors add up to less.
-template <class K, class Values, class In, class Out, size_t... i>
-GAUNT_LANES void MultiplyRowsOf(const K&, const Values& row, const In& in, const Out& out, size_t n,
-                                std::index_sequence<i...>) {
-  typename K::template Slots<sizeof...(i)> low, high;
-  const size_t half = (n + 1) / 2;
-  (low(i, Mul(row(i * n), in(0))), ...);
-  if (n == 1) return (out(i, low(i)), ...);
-  (high(i, Mul(row(i * n + half), in(half))), ...);
-  for (size_t j = 1; j < half; ++j) {
+// multiply-adds. Each sum goes in halves, whose rounding errors add up to less: of columns
+// first .. first + n.
+template <class K, class Values, class In, class Sums, size_t... i>
+GAUNT_LANES void SumColumns(const Values& row, size_t columns, const In& in, size_t first, size_t n,
+                            Sums& low, std::index_sequence<i...>) {
+  typename K::template Slots<sizeof...(i)> high;
+  const size_t half = (n + 1) / 2, end = first + n, middle = first + half;
+  (low(i, Mul(row(i * columns + first), in(first))), ...);
+  if (n == 1) return;
+  (high(i, Mul(row(i * columns + middle), in(middle))), ...);
+  for (size_t j = first + 1; j < middle; ++j) {
     const auto value = in(j);
-    (low(i, MulAdd(row(i * n + j), value, low(i))), ...);
-    if (j + half == n) break;
+    (low(i, MulAdd(row(i * columns + j), value, low(i))), ...);
+    if (j + half == end) break;
     const auto other = in(j + half);
-    (high(i, MulAdd(row(i * n + j + half), other, high(i))), ...);
+    (high(i, MulAdd(row(i * columns + j + half), other, high(i))), ...);
   }
-  (out(i, Add(low(i), high(i))), ...);
+  (low(i, Add(low(i), high(i))), ...);
+}
+// Rows that are long go in quarters.
+template <class K, class Values, class In, class Out, size_t... i>
+GAUNT_LANES void MultiplyRowsOf(const K&, const Values& row, const In& in, const Out& out,
+                                size_t columns, std::index_sequence<i...> rows) {
+  constexpr size_t kLong = 64;
+  typename K::template Slots<sizeof...(i)> sums, more;
+  const size_t most = columns > kLong ? (columns + 1) / 2 : columns;
+  SumColumns<K>(row, columns, in, 0, most, sums, rows);
+  if (most < columns) {
+    SumColumns<K>(row, columns, in, most, columns - most, more, rows);
+    (sums(i, Add(sums(i), more(i))), ...);
+  }
+  (out(i, sums(i)), ...);
 }
 
 // The matrix of functions of order n, known when it is compiled; n rows go at a time.

@@ -73,7 +73,8 @@ class Function {
         const double polar = scale * at.part[PolarIndex(l, m)];
         const double turn = 2.0 * kPi * m * j / points;
         parts[m % 2] += polar * std::cos(turn) * coefficients_[CoefficientIndex(l, m)];
-        if (m > 0) parts[2 + m % 2] += polar * std::sin(turn) * coefficients_[CoefficientIndex(l, -m)];
+        if (m > 0)
+          parts[2 + m % 2] += polar * std::sin(turn) * coefficients_[CoefficientIndex(l, -m)];
       }
     }
     out.Put(parts[0]);
@@ -162,7 +163,8 @@ bool IsValid(const void* bytes, size_t size, int* order_in, int* order_out) {
   *order_in = static_cast<int>(header.in);
   *order_out = static_cast<int>(header.out);
   const Header wanted = HeaderOf(f, *order_in, *order_out);
-  return std::memcmp(&header, &wanted, sizeof(header)) == 0 && size == SizeOf(f, *order_in, *order_out);
+  return std::memcmp(&header, &wanted, sizeof(header)) == 0 &&
+         size == SizeOf(f, *order_in, *order_out);
 }
 
 }  // namespace gaunt::product::prepared

@@ -20,7 +20,7 @@ using namespace gaunt::product::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 // Runs a kernel on each channel, of functions of orders up to kMax if these are known.
 template <int kMaxIn, int kMaxOut, class Kernel>
 void ForChannels(const Header& header, const Kernel& kernel, Place place, size_t channels,
-                   size_t count, const simd::InView& in, const simd::OutView& out) {
+                 size_t count, const simd::InView& in, const simd::OutView& out) {
   const size_t in_planes = header.in * header.in, out_planes = header.out * header.out;
   for (size_t c = 0; c < channels; ++c) {
     ForEachBatch(
@@ -44,13 +44,13 @@ constexpr auto MakeMatrices(std::integer_sequence<int, 0, n...>) {
   };
   return Matrices{{nullptr, &ApplyMatrix<n>...}};
 }
-constexpr auto kMatrices = MakeMatrices(gaunt::Orders<kMinFixed - 1>());
+constexpr auto kMatrices = MakeMatrices(gaunt::Orders<kMinPreparedFixed - 1>());
 
 void ApplyAnyMatrix(const Header& header, const void* values, size_t channels, size_t count,
                     const simd::InView& in, const simd::OutView& out) {
   const AnyMatrix kernel = {values, static_cast<int>(header.out * header.out),
                             static_cast<int>(header.in * header.in)};
-  ForChannels<kMaxOrder, kMaxOutOrder>(header, kernel, Place::kApart, channels, count, in, out);
+  ForChannels<kMaxOrder, MaxMatrixOut()>(header, kernel, Place::kApart, channels, count, in, out);
 }
 
 template <int n>
@@ -64,10 +64,10 @@ constexpr auto MakeFixedCases(std::integer_sequence<int, i...>) {
   struct Cases {
     ApplyFn apply[sizeof...(i)];
   };
-  return Cases{{&ApplyFixed<kMinFixed + i>...}};
+  return Cases{{&ApplyFixed<kMinPreparedFixed + i>...}};
 }
 constexpr auto kFixedCases =
-    MakeFixedCases(std::make_integer_sequence<int, kMaxFixed - kMinFixed + 1>());
+    MakeFixedCases(std::make_integer_sequence<int, kMaxPreparedFixed - kMinPreparedFixed + 1>());
 
 void ApplyValues(const Header& header, const void* values, size_t channels, size_t count,
                  const simd::InView& in, const simd::OutView& out) {
@@ -77,9 +77,10 @@ void ApplyValues(const Header& header, const void* values, size_t channels, size
 
 ApplyFn ApplyOf(const Header& header) {
   if (header.kind == kMatrix) {
-    return IsEqual(header) && header.in < kMinFixed ? kMatrices.apply[header.in] : &ApplyAnyMatrix;
+    return IsEqual(header) && header.in < kMinPreparedFixed ? kMatrices.apply[header.in]
+                                                            : &ApplyAnyMatrix;
   }
-  return HasFixedKernel(header) ? kFixedCases.apply[header.in - kMinFixed] : &ApplyValues;
+  return HasFixedKernel(header) ? kFixedCases.apply[header.in - kMinPreparedFixed] : &ApplyValues;
 }
 
 void Apply(const void* bytes, size_t channels, size_t count, const simd::InView& in,

@@ -23,14 +23,24 @@ struct Header {
 // matrices where they have kernels of their own, for equal orders from 6 on; without, if the matrix
 // is large; and large matrices round more.
 enum Kind : uint32_t { kMatrix, kValues };
-inline constexpr int kMinFixed = 6, kMaxFixed = 10;
+inline constexpr int kMinPreparedFixed = 6, kMaxPreparedFixed = 10;
 inline constexpr uint32_t kMaxMatrixEntries = 64 * 64;
+// The highest order of a product that has a matrix.
+constexpr int MaxMatrixOut() {
+  int out = 1;
+  for (int in = 1; in <= kMaxOrder; ++in) {
+    for (int n = out; n < kMaxOrder + in; ++n) {
+      if (static_cast<uint32_t>(n * n * in * in) <= kMaxMatrixEntries) out = n;
+    }
+  }
+  return out;
+}
 
 constexpr bool IsEqual(const Header& header) {
   return header.f == header.in && header.in == header.out;
 }
 constexpr bool HasFixedKernel(const Header& header) {
-  return IsEqual(header) && header.f >= kMinFixed && header.f <= kMaxFixed;
+  return IsEqual(header) && header.f >= kMinPreparedFixed && header.f <= kMaxPreparedFixed;
 }
 constexpr Kind KindOf(const Header& header) {
   const uint32_t entries = header.out * header.out * header.in * header.in;

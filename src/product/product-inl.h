@@ -19,9 +19,9 @@ template <int a, int b, int out>
 struct KernelOf {
   using Product = FixedGrid<a, b, out, kLevel>;
 };
-#define GAUNT_SPARSE(a, b, out, factors)                              \
-  template <>                                                         \
-  struct KernelOf<a, b, out> {                                        \
+#define GAUNT_SPARSE(a, b, out, factors)                                  \
+  template <>                                                             \
+  struct KernelOf<a, b, out> {                                            \
     using Product = Sparse<a, b, out, kSteps##a##x##b##To##out, factors>; \
   }
 GAUNT_SPARSE(1, 1, 1, Factors::kSymmetric);

@@ -39,7 +39,8 @@ void FixedSquare(int, int, size_t channels, size_t count, const simd::InView& in
                  const simd::OutView& out) {
   constexpr size_t kPlanes = NumCoefficients(n);
   for (size_t c = 0; c < channels; ++c) {
-    ForEachBatch(count, SquareKernel<n>(), In<kPlanes>(Channel(in, c, n), kPlanes, 0, Place::kNearby),
+    ForEachBatch(count, SquareKernel<n>(),
+                 In<kPlanes>(Channel(in, c, n), kPlanes, 0, Place::kNearby),
                  Out<kPlanes>(Channel(out, c, n)));
   }
 }
@@ -87,10 +88,10 @@ struct FixedCase {
 };
 template <int a, int b, int out>
 inline constexpr FixedCase kFixedCase = {{a, b, out}, &FixedProduct<a, b, out>};
-constexpr FixedCase kFixedCases[] = {
-    kFixedCase<1, 1, 1>, kFixedCase<2, 2, 2>, kFixedCase<3, 3, 3>, kFixedCase<4, 4, 4>,
-    kFixedCase<5, 5, 5>, kFixedCase<6, 6, 6>, kFixedCase<7, 7, 7>, kFixedCase<8, 8, 8>,
-    kFixedCase<6, 6, 3>, kFixedCase<6, 6, 4>, kFixedCase<2, 6, 6>, kFixedCase<3, 6, 6>};
+constexpr FixedCase kFixedCases[] = {kFixedCase<1, 1, 1>, kFixedCase<2, 2, 2>, kFixedCase<3, 3, 3>,
+                                     kFixedCase<4, 4, 4>, kFixedCase<5, 5, 5>, kFixedCase<6, 6, 6>,
+                                     kFixedCase<7, 7, 7>, kFixedCase<8, 8, 8>, kFixedCase<6, 6, 3>,
+                                     kFixedCase<6, 6, 4>, kFixedCase<2, 6, 6>, kFixedCase<3, 6, 6>};
 
 // The kernel of orders that have one of their own, or null.
 ProductFn FixedProductOf(const Degrees& degrees) {

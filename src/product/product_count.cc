@@ -48,18 +48,18 @@ void AppendProduct(OperationRows& rows) {
   const std::string order = OrderOf(a, b, out);
   rows.push_back({"product", order, "fast", FastProduct<a, b, out>()});
   if constexpr (a > 2) {
-    rows.push_back({"product", order, "fewest",
-                    CountKernel(kernels::FixedGrid<a, b, out, Level::kPoints>(), kPlanes, kPlanes,
-                                kPlanes)});
+    rows.push_back(
+        {"product", order, "fewest",
+         CountKernel(kernels::FixedGrid<a, b, out, Level::kPoints>(), kPlanes, kPlanes, kPlanes)});
   }
 }
 
 template <int n, Second second>
 void AppendFewest(OperationRows& rows, const std::string& op) {
   if constexpr (n > 2) {
-    rows.push_back({op, std::to_string(n), "fewest",
-                    CountKernel(kernels::FixedGrid<n, n, n, Level::kPoints, second>(), kPlanes,
-                                kPlanes)});
+    rows.push_back(
+        {op, std::to_string(n), "fewest",
+         CountKernel(kernels::FixedGrid<n, n, n, Level::kPoints, second>(), kPlanes, kPlanes)});
   }
 }
 
@@ -79,7 +79,7 @@ template <int n>
 void AppendPrepared(OperationRows& rows) {
   Operations fast;
   constexpr prepared::Header kHeader = {0, 0, n, n, n, 0};
-  if constexpr (n < prepared::kMinFixed) {
+  if constexpr (n < prepared::kMinPreparedFixed) {
     fast = CountKernel(kernels::Matrix<n>{nullptr}, kPlanes, kPlanes);
   } else if constexpr (prepared::KindOf(kHeader) == prepared::kMatrix) {
     fast = CountKernel(kernels::AnyMatrix{nullptr, n * n, n * n}, kPlanes, kPlanes);

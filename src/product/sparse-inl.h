@@ -53,14 +53,14 @@ struct Sparse {
   static GAUNT_LANES void BandZero(const K& k, const InA& a, const InB& b, S& sums) {
     const auto scaled_a = Mul(k(kSame ? 2.0 * kY00 : kY00), a(0));
     if constexpr (kSame) {
-      const auto squares = Dot<1>(k, a, a, Mul(a(0), a(0)));
+      const auto squares = Dot<0>(a, a);
       sums(0, Mul(k(kY00), squares));
       BandZeroOne(scaled_a, scaled_a, a, b, sums,
                   std::make_integer_sequence<int, kPlanesOut - 1>());
     } else {
       const auto scaled_b = Mul(k(kY00), b(0));
       if constexpr (kPlanesA > 1 && kPlanesB > 1) {
-        const auto dot = Dot<2>(k, a, b, Mul(a(1), b(1)));
+        const auto dot = Dot<1>(a, b);
         sums(0, MulAdd(k(kY00), dot, Mul(scaled_a, b(0))));
       } else {
         sums(0, Mul(scaled_a, b(0)));
@@ -69,10 +69,26 @@ struct Sparse {
                   std::make_integer_sequence<int, kPlanesOut - 1>());
     }
   }
-  template <int i, class K, class InA, class InB, class V>
-  static GAUNT_LANES V Dot(const K& k, const InA& a, const InB& b, V sum) {
-    if constexpr (i < (kPlanesA < kPlanesB ? kPlanesA : kPlanesB)) {
-      return Dot<i + 1>(k, a, b, MulAdd(a(i), b(i), sum));
+  // The sum of products of coefficients from i on. Long ones go in four parts, whose rounding errors
+  // add up to less.
+  template <int i, class InA, class InB>
+  static GAUNT_LANES auto Dot(const InA& a, const InB& b) {
+    if constexpr (kProducts > 16) {
+      return Add(Add(Part<i, 4>(a, b), Part<i + 1, 4>(a, b)),
+                 Add(Part<i + 2, 4>(a, b), Part<i + 3, 4>(a, b)));
+    } else {
+      return Part<i, 1>(a, b);
+    }
+  }
+  static constexpr int kProducts = kPlanesA < kPlanesB ? kPlanesA : kPlanesB;
+  template <int i, int step, class InA, class InB>
+  static GAUNT_LANES auto Part(const InA& a, const InB& b) {
+    return Rest<i + step, step>(a, b, Mul(a(i), b(i)));
+  }
+  template <int i, int step, class InA, class InB, class V>
+  static GAUNT_LANES V Rest(const InA& a, const InB& b, V sum) {
+    if constexpr (i < kProducts) {
+      return Rest<i + step, step>(a, b, MulAdd(a(i), b(i), sum));
     } else {
       return sum;
     }
@@ -232,7 +248,7 @@ struct Sparse {
       constexpr Block z(kSteps[i].z[j]);
       constexpr double kFactor = kPlan.Back(i, j);
       PutTerm<IsFirst(i, j, kSum, false), kSum ? kSumReal : kRestReal>(k(kFactor), in(z.Cosine()),
-                                                                        parts);
+                                                                       parts);
       if constexpr (z.m > 0) {
         PutTerm<IsFirst(i, j, kSum, true), kSum ? kSumImaginary : kRestImaginary>(
             k(kFactor), in(z.Sine()), parts);

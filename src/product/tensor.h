@@ -65,8 +65,7 @@ constexpr double Gaunt(int l1, int m1, int l2, int m2, int l3, int m3) {
   const double azimuth = AzimuthIntegral(m1, m2, m3);
   if (azimuth == 0.0 || !DegreesCouple(l1, l2, l3)) return 0.0;
   const auto size = [](int m) { return m < 0 ? -m : m; };
-  const double value =
-      azimuth * kPolarTensor.Integral(l1, size(m1), l2, size(m2), l3, size(m3));
+  const double value = azimuth * kPolarTensor.Integral(l1, size(m1), l2, size(m2), l3, size(m3));
   return value < 1e-12 && value > -1e-12 ? 0.0 : value;  // a few vanish by accident
 }
 
