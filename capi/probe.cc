@@ -7,12 +7,18 @@ using gaunt::capi::InputOf;
 using gaunt::capi::InRange;
 using gaunt::capi::MemoryCheck;
 using gaunt::capi::OutputOf;
-using gaunt::probe::Sh3;
+using gaunt::probe::FormatShape;
+using gaunt::probe::FormatTable;
 
 namespace {
 
 constexpr uint32_t kMaxTaps = 65536;
-constexpr size_t kSh3Planes = Sh3::kChannels * Sh3::kOrder * Sh3::kOrder;
+
+bool IsFormat(uint32_t format) { return InRange(format, 1, gaunt::probe::kNumFormats); }
+FormatShape ShapeOf(uint32_t format) {
+  return gaunt::probe::ShapeOf(gaunt::probe::Formats(), format - 1);
+}
+const FormatTable& KernelsOf(uint32_t format) { return gaunt::probe::Kernels().formats[format - 1]; }
 
 }  // namespace
 
@@ -21,60 +27,65 @@ extern "C" {
 gaunt_status gaunt_format_info(uint32_t format, gaunt_format_properties* properties) {
   GAUNT_REQUIRE(properties != nullptr, GAUNT_ERROR_NULL);
   GAUNT_REQUIRE(properties->struct_size == sizeof(*properties), GAUNT_ERROR_STRUCT);
-  GAUNT_REQUIRE(format == GAUNT_FORMAT_SH3_28, GAUNT_ERROR_FORMAT);
-  *properties = {sizeof(*properties), Sh3::kBytes, Sh3::kOrder, kSh3Planes};
+  GAUNT_REQUIRE(IsFormat(format), GAUNT_ERROR_FORMAT);
+  const FormatShape shape = ShapeOf(format);
+  *properties = {sizeof(*properties), static_cast<uint32_t>(shape.bytes),
+                 static_cast<uint32_t>(shape.order), static_cast<uint32_t>(shape.planes)};
   return GAUNT_OK;
 }
 
 gaunt_status gaunt_probe_encode(uint32_t format, size_t count, const gaunt_view* in, void* packed,
                                 size_t stride, const gaunt_view* report) {
-  GAUNT_REQUIRE(format == GAUNT_FORMAT_SH3_28, GAUNT_ERROR_FORMAT);
-  GAUNT_REQUIRE(stride >= Sh3::kBytes, GAUNT_ERROR_RANGE);
+  GAUNT_REQUIRE(IsFormat(format), GAUNT_ERROR_FORMAT);
+  const FormatShape shape = ShapeOf(format);
+  GAUNT_REQUIRE(stride >= shape.bytes, GAUNT_ERROR_RANGE);
   MemoryCheck check(count);
-  check.In(in, kSh3Planes).OutRecords(packed, count, Sh3::kBytes, stride);
+  check.In(in, shape.planes).OutRecords(packed, count, shape.bytes, stride);
   if (report != nullptr) check.Out(report, GAUNT_REPORT_PLANES);
   GAUNT_CHECK(check.status());
   if (count == 0) return GAUNT_OK;
   gaunt::simd::OutView report_view;
   if (report != nullptr) report_view = OutputOf(*report, count);
-  gaunt::probe::Kernels().encode(count, InputOf(*in, count), static_cast<uint8_t*>(packed), stride,
-                                 report != nullptr ? &report_view : nullptr);
+  KernelsOf(format).encode(count, InputOf(*in, count), static_cast<uint8_t*>(packed), stride,
+                           report != nullptr ? &report_view : nullptr);
   return GAUNT_OK;
 }
 
 gaunt_status gaunt_probe_decode(uint32_t format, size_t count, const void* packed, size_t stride,
                                 const gaunt_view* out) {
-  GAUNT_REQUIRE(format == GAUNT_FORMAT_SH3_28, GAUNT_ERROR_FORMAT);
-  GAUNT_REQUIRE(stride >= Sh3::kBytes, GAUNT_ERROR_RANGE);
+  GAUNT_REQUIRE(IsFormat(format), GAUNT_ERROR_FORMAT);
+  const FormatShape shape = ShapeOf(format);
+  GAUNT_REQUIRE(stride >= shape.bytes, GAUNT_ERROR_RANGE);
   GAUNT_CHECK(MemoryCheck(count)
-                  .InRecords(packed, count, Sh3::kBytes, stride)
-                  .Out(out, kSh3Planes)
+                  .InRecords(packed, count, shape.bytes, stride)
+                  .Out(out, shape.planes)
                   .status());
   if (count == 0) return GAUNT_OK;
-  gaunt::probe::Kernels().decode(count, {static_cast<const uint8_t*>(packed), count, stride},
-                                 OutputOf(*out, count));
+  KernelsOf(format).decode(count, {static_cast<const uint8_t*>(packed), count, stride},
+                           OutputOf(*out, count));
   return GAUNT_OK;
 }
 
 gaunt_status gaunt_probe_gather(uint32_t format, uint32_t n_out, size_t count, uint32_t taps,
                                 const uint32_t* indices, const float* weights, const void* packed,
                                 size_t packed_count, size_t stride, const gaunt_view* out) {
-  GAUNT_REQUIRE(format == GAUNT_FORMAT_SH3_28, GAUNT_ERROR_FORMAT);
-  GAUNT_REQUIRE(InRange(n_out, 1, Sh3::kOrder), GAUNT_ERROR_ORDER);
+  GAUNT_REQUIRE(IsFormat(format), GAUNT_ERROR_FORMAT);
+  const FormatShape shape = ShapeOf(format);
+  GAUNT_REQUIRE(InRange(n_out, 1, static_cast<uint32_t>(shape.order)), GAUNT_ERROR_ORDER);
   GAUNT_REQUIRE(InRange(taps, 1, kMaxTaps), GAUNT_ERROR_RANGE);
-  GAUNT_REQUIRE(stride >= Sh3::kBytes, GAUNT_ERROR_RANGE);
+  GAUNT_REQUIRE(stride >= shape.bytes, GAUNT_ERROR_RANGE);
   GAUNT_REQUIRE(count <= SIZE_MAX / taps, GAUNT_ERROR_RANGE);
   const size_t all_taps = count * taps;
   GAUNT_CHECK(MemoryCheck(count)
                   .InRecords(indices, all_taps, sizeof(*indices), sizeof(*indices))
                   .InRecords(weights, all_taps, sizeof(*weights), sizeof(*weights))
-                  .InRecords(packed, count == 0 ? 0 : packed_count, Sh3::kBytes, stride)
-                  .Out(out, Sh3::kChannels * n_out * n_out)
+                  .InRecords(packed, count == 0 ? 0 : packed_count, shape.bytes, stride)
+                  .Out(out, gaunt::probe::kChannels * n_out * n_out)
                   .status());
   if (count == 0) return GAUNT_OK;
-  gaunt::probe::Kernels().gather[n_out](count, {taps, indices, weights},
-                                        {static_cast<const uint8_t*>(packed), packed_count, stride},
-                                        OutputOf(*out, count));
+  KernelsOf(format).gather(n_out, count, {taps, indices, weights},
+                           {static_cast<const uint8_t*>(packed), packed_count, stride},
+                           OutputOf(*out, count));
   return GAUNT_OK;
 }
 

@@ -431,15 +431,15 @@ TEST_P(ShaderText, ConstantsAreTheLibrarys) {
       {"C3", -Irradiance::kOffset},
       {"C4", Irradiance::kDifference},
       {"COSINE_2", evaluate::CosineBand(2)},
-      {"MAX_RATIO", probe::Sh3::Bound(1)},
+      {"MAX_RATIO", probe::Bound(1)},
       {"LUMINANCE_R", light::kLuminance[0]},
       {"LUMINANCE_G", light::kLuminance[1]},
       {"LUMINANCE_B", light::kLuminance[2]},
       {"ZH3_A", 0.08},
       {"ZH3_B", 0.6},
-      {"STEP_1", probe::Sh3::Bound(1) / probe::Sh3::kQuantum},
-      {"STEP_2", probe::Sh3::Bound(4) / probe::Sh3::kQuantum},
-      {"STEP_20", probe::Sh3::Bound(6) / probe::Sh3::kQuantum}};
+      {"STEP_1", probe::Bound(1) / 127.0},
+      {"STEP_2", probe::Bound(4) / 127.0},
+      {"STEP_20", probe::Bound(6) / 127.0}};
   size_t found = 0;
   std::istringstream lines(text_);
   for (std::string line; std::getline(lines, line);) {

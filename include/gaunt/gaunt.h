@@ -904,17 +904,58 @@ GAUNT_API gaunt_status gaunt_light_extract(uint32_t n, uint32_t channels, uint32
 
 /* ---- probe ----------------------------------------------------------------------------------- */
 
-/** Packed probe formats. Values never change. */
+/**
+ * Packed probe formats, of RGB and little-endian; records have any alignment. Values never change.
+ *
+ * Most keep the mean L_0 of each channel, and ratios to it in -1 .. 1 of the largest ratio that any
+ * non-negative light has, bound_i = max |y_i| / y_0: sqrt(3) for i = 1..3, sqrt(5) for 6, sqrt(15)/2
+ * for 4, 5, 7 and 8; L_i = L_0 bound_i v. As snorm8 a ratio is q / 127 of an int8 that is never
+ * -128, as unorm8 2 u / 255 - 1 of a byte. Containers:
+ *   RGB9E5      mantissas of R, G, B in bits 0-8, 9-17, 18-26, exponent e in bits 27-31;
+ *               value = mantissa * 2^(e - 24)
+ *   R11G11B10F  floats without a sign, of a 5-bit exponent of bias 15 above 6 bits of mantissa in bits
+ *               0-10 (R) and 11-21 (G), above 5 bits in bits 22-31 (B)
+ *   half        IEEE half floats
+ * Their exponent 31, of infinities and NaN, is never written, and read as if it were ordinary.
+ */
 enum {
+  /** Order 3: RGB9E5 of L_0; snorm8 of i = 1..8 of R, then of G, then of B. */
+  GAUNT_FORMAT_SH3_28 = 1,
+  /** Order 2: RGB9E5 of L_0; snorm8 of i = 1..3 of R, then of G, then of B. */
+  GAUNT_FORMAT_SH2_13 = 2,
+  /** Order 3: half L_0 of R, G, B; two bytes of 0; snorm8 as in GAUNT_FORMAT_SH3_28. */
+  GAUNT_FORMAT_SH3_32 = 3,
   /**
-   * RGB, order 3, 28 bytes, any alignment, little-endian:
-   *   bytes 0-3    RGB9E5 of L_0 of R, G, B: mantissas in bits 0-8, 9-17, 18-26, exponent e in bits
-   *                27-31; value = mantissa * 2^(e - 24)
-   *   bytes 4-11   q_1 .. q_8 of R, as int8; bytes 12-19 of G; bytes 20-27 of B
-   *   L_i = L_0 bound_i q_i / 127, bound = sqrt(3) for i = 1..3, sqrt(5) for 6, sqrt(15)/2 for the
-   *   rest: the largest ratios that any non-negative light has. -128 is never written.
+   * Order 5 without band 3, which E does not have, and which is 0 when it is decoded: RGB9E5 of L_0;
+   * snorm8 of i = 1..8, 16..24 of R, then of G, then of B.
    */
-  GAUNT_FORMAT_SH3_28 = 1
+  GAUNT_FORMAT_SH5_55 = 4,
+  /** Order 3: half L_i, channel by channel. */
+  GAUNT_FORMAT_SH3_F16 = 5,
+  /** Order 3: float L_i, channel by channel. */
+  GAUNT_FORMAT_SH3_F32 = 6,
+  /**
+   * Order 3, the volumetric lightmap of Unreal Engine, its seven texture layers one after the other:
+   * FloatR11G11B10 of L_0, then two of B8G8R8A8 for each channel; red, green, blue and alpha of these
+   * are unorm8 of i = 1..4 and 5..8. The range of i = 4..8 is twice the bound.
+   */
+  GAUNT_FORMAT_UNREAL_28 = 7,
+  /**
+   * Order 2, the adaptive probe volumes of Unity, which keep E/pi as L0 + L1 . n: RGBA of half floats,
+   * L0 of R, G, B and x of R; RGBA of unorm8, x, y, z of G and y of R; RGBA of unorm8, x, y, z of B and
+   * z of R. A part of L1 is 4 (t - 1/2) L0 of a number t in 0 .. 1.
+   */
+  GAUNT_FORMAT_UNITY_L1_16 = 8,
+  /**
+   * Order 3: GAUNT_FORMAT_UNITY_L1_16, then RGBA of unorm8 of R, of G and of B, the coefficients of
+   * x y, y z, 3 z^2 - 1 and x z in E/pi, and one of those of x^2 - y^2 of R, G, B. They are
+   * 8/sqrt(5) (t - 1/2) L0.
+   */
+  GAUNT_FORMAT_UNITY_L2_32 = 9,
+  /** Order 1: RGB9E5 of L_0. */
+  GAUNT_FORMAT_RGB9E5 = 10,
+  /** Order 1: R11G11B10F of L_0. */
+  GAUNT_FORMAT_R11G11B10F = 11
 };
 
 typedef struct gaunt_format_properties {
@@ -939,8 +980,8 @@ enum {
 };
 
 /**
- * Packs radiance probes. Means are rounded first; ratios are taken to the decoded mean, clamped,
- * and rounded to nearest. The report is computed from the decoded bytes: RMS = sqrt(sum of
+ * Packs radiance probes. Means are rounded first; ratios are taken to the decoded mean, clamped to
+ * their range, and rounded to nearest. The report is computed from the decoded bytes: RMS = sqrt(sum of
  * (A_l/pi)^2 d_lm^2 / (4 pi channels)), MAX = largest over channels of sum over l of (A_l/pi) |d_l|
  * sqrt((2l+1)/(4 pi)), where d is the difference of the coefficients.
  *
@@ -951,11 +992,12 @@ enum {
  * stride  bytes from record to record, at least the size of one; bytes between records stay
  * report  GAUNT_REPORT_PLANES planes, or NULL
  *
- * A negative mean or a NaN becomes 0, means end at 65408, and a probe whose mean is 0 becomes
- * black.
+ * A NaN becomes 0, and so does a negative mean, except in GAUNT_FORMAT_SH3_F16 and _F32; means end
+ * at what the container holds (RGB9E5 65408, half 65504, R11G11B10F 65024 of R and G and 64512 of
+ * B), of L_0 or, in Unity's formats, of L_0 / sqrt(4 pi). A channel whose mean is 0 becomes black.
  *
- * Accuracy:  means within half a unit of the mantissa of the largest channel; ratios within 0.5001
- *            of a step.
+ * Accuracy:  means within half a unit of the last place of their container, RGB9E5 of that of the
+ *            largest channel; ratios within 0.5001 of a step.
  * Overlap:   none between in, report and packed.
  * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -963,14 +1005,15 @@ GAUNT_API gaunt_status gaunt_probe_encode(uint32_t format, size_t count, const g
                                           void* packed, size_t stride, const gaunt_view* report);
 
 /**
- * Unpacks probes to radiance coefficients. Any bytes decode to finite values.
+ * Unpacks probes to radiance coefficients. Any bytes decode to finite values, except those of
+ * GAUNT_FORMAT_SH3_F32, which decode to what they are.
  *
  * format  GAUNT_FORMAT_*
  * count   probes
  * packed  count records, `stride` bytes apart
  * out     planes of the format
  *
- * Accuracy:  |error| <= 2.4e-7 of the decoded mean times the coefficient's bound.
+ * Accuracy:  |error| <= 2.4e-7 of the decoded mean times the range of the ratio; floats are exact.
  * Overlap:   none between packed and out.
  * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gather driver: decodes and blends packed records. Objects go by groups of 8 in two phases,
-// first every tap's weighted means in lanes over objects, then the ratios of each tap in lanes over
-// the ratios, so that the misses of many taps overlap. Rows of ratios become planes once per tile.
+// The gather driver: blends packed records, one item per lane. The taps of a group of items become
+// words in lanes, some taps at a time, so that the misses of many records overlap.
 #if defined(GAUNT_PROBE_GATHER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GAUNT_PROBE_GATHER_INL_H_
 #undef GAUNT_PROBE_GATHER_INL_H_
@@ -12,23 +11,83 @@
 #include <algorithm>
 #include <cstring>
 
-#include "probe/probe-inl.h"
 #include "probe/probe.h"
+#include "probe/record-inl.h"
 #include "simd/batch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::probe::HWY_NAMESPACE {
 
-inline constexpr size_t kGroup = 8;          // objects
-inline constexpr size_t kTapChunk = 8;       // taps held at a time
-inline constexpr size_t kTile = 4 * kGroup;  // objects
-inline constexpr size_t kRow = Sh3::kChannels * Sh3::kRatios;
-
 // What stands in for a record that contributes nothing.
-inline constexpr uint8_t kNoRecord[Sh3::kBytes] = {};
+inline constexpr uint8_t kNoRecord[128] = {};
+
+// Words of one record of each lane; records(lane) is where it is.
+#if GAUNT_TRANSPOSES
+
+// Four words each of a group of records: 128-bit block b of the result has those of record 4 b.
+template <size_t kBytes, class D, class Records>
+GAUNT_LANES hn::Vec<D> LoadRecordBlocks(D d, const Records& records, size_t lane, size_t offset) {
+  if constexpr (hn::MaxLanes(D()) == 4) {
+    const uint8_t* const record = records(lane);
+    const auto* from = reinterpret_cast<const float*>(record + offset);
+    if constexpr (kBytes >= 16) {
+      return hn::LoadU(d, from);
+    } else {
+      const hn::CappedTag<float, 2> pair;
+      const auto* last = reinterpret_cast<const float*>(record + kBytes - 8);
+      return hn::Combine(d, hn::LoadU(pair, last), hn::LoadU(pair, from));
+    }
+  } else {
+    const hn::Half<D> half;
+    constexpr size_t kHalf = hn::MaxLanes(D()) / 2;
+    return hn::Combine(d, LoadRecordBlocks<kBytes>(half, records, lane + kHalf, offset),
+                       LoadRecordBlocks<kBytes>(half, records, lane, offset));
+  }
+}
+
+template <size_t kBytes, class Records>
+GAUNT_LANES void LoadWords(const Records& records, float* words) {
+  using Words = LoadedWords<kBytes>;
+  constexpr size_t kStride = hn::MaxLanes(LaneTag());
+  const LaneTag d;
+  if constexpr (kBytes == 4) {
+    for (size_t lane = 0; lane < kStride; ++lane) std::memcpy(words + lane, records(lane), 4);
+  } else {
+    for (int word = 0; word < Words::kCount; word += 4) {
+      const size_t offset = Words::Offset(word);
+      auto a = LoadRecordBlocks<kBytes>(d, records, 0, offset);
+      auto b = LoadRecordBlocks<kBytes>(d, records, 1, offset);
+      auto c = LoadRecordBlocks<kBytes>(d, records, 2, offset);
+      auto e = LoadRecordBlocks<kBytes>(d, records, 3, offset);
+      Transpose4(d, a, b, c, e);
+      float* const to = words + static_cast<size_t>(word) * kStride;
+      hn::Store(a, d, to);
+      hn::Store(b, d, to + kStride);
+      hn::Store(c, d, to + 2 * kStride);
+      hn::Store(e, d, to + 3 * kStride);
+    }
+  }
+}
+
+#else
+
+template <size_t kBytes, class Records>
+GAUNT_LANES void LoadWords(const Records& records, float* words) {
+  using Words = LoadedWords<kBytes>;
+  constexpr size_t kStride = hn::MaxLanes(LaneTag());
+  for (size_t lane = 0; lane < hn::Lanes(LaneTag()); ++lane) {
+    for (int word = 0; word < Words::kCount; ++word) {
+      std::memcpy(words + static_cast<size_t>(word) * kStride + lane,
+                  records(lane) + Words::Offset(word), 4);
+    }
+  }
+}
+
+#endif
 
 // Where taps come from: record and weight of tap t of item i.
 struct EachRecord {
+  static constexpr bool kOneTap = true;
   PackedProbes packed;
   GAUNT_LANES const uint8_t* operator()(size_t i, size_t, float& weight) const {
     weight = 1.0f;
@@ -36,6 +95,7 @@ struct EachRecord {
   }
 };
 struct TapRecord {
+  static constexpr bool kOneTap = false;
   Taps taps;
   PackedProbes packed;
   GAUNT_LANES const uint8_t* operator()(size_t i, size_t t, float& weight) const {
@@ -47,209 +107,150 @@ struct TapRecord {
   }
 };
 
-// Taps of a group of objects, and what phase one makes of them: [tap][object].
-struct GroupTaps {
-  const uint8_t* records[kTapChunk][kGroup];
-  HWY_ALIGN uint32_t words[kTapChunk][kGroup];
-  HWY_ALIGN float weights[kTapChunk][kGroup];
-  HWY_ALIGN float means[kTapChunk][Sh3::kChannels][kGroup];
-};
+// Some taps of a group of items, as the formats read them.
+template <size_t kBytes>
+class GroupTaps {
+ public:
+  using Words = LoadedWords<kBytes>;
+  static constexpr size_t kStride = hn::MaxLanes(LaneTag());
+  // At a time: as many as take some kilobytes.
+  static constexpr size_t kMost = Words::kCount <= 8 ? 8 : 4;
 
-// Phase two for one object; kTaps 0 stands for a number known at run time.
-template <size_t kTaps>
-GAUNT_LANES void SumRatios(const GroupTaps& group, size_t object, size_t taps, bool first,
-                           float* row) {
-  const RecordLanes k;
-  using V = RecordLanes::V;
-  for (size_t i = 0; i < Sh3::kRatios; i += hn::Lanes(RecordLanes::D())) {
-    V r = k.Zero(), g = k.Zero(), b = k.Zero();
-    if (!first) {
-      r = k.Load(row + i);
-      g = k.Load(row + Sh3::kRatios + i);
-      b = k.Load(row + 2 * Sh3::kRatios + i);
-    }
-    for (size_t t = 0; t < (kTaps == 0 ? taps : kTaps); ++t) {
-      const auto& means = group.means[t];
-      AddRatios(k, group.records[t][object] + Sh3::kRatiosOffset + i, k.Splat(means[0][object]),
-                k.Splat(means[1][object]), k.Splat(means[2][object]), r, g, b);
-    }
-    k.Store(r, row + i);
-    k.Store(g, row + Sh3::kRatios + i);
-    k.Store(b, row + 2 * Sh3::kRatios + i);
+  size_t count;
+
+  GAUNT_LANES auto Record(size_t tap) const {
+    const PlanesIn planes = {
+        reinterpret_cast<const unsigned char*>(words_ + tap * Words::kCount * kStride),
+        kStride * sizeof(float)};
+    return RecordIn<Words, PlanesIn>{planes};
   }
-}
-
-template <size_t kTaps>
-HWY_NOINLINE void SumGroup(const GroupTaps& group, size_t taps, bool first, float* rows) {
-  for (size_t object = 0; object < kGroup; ++object) {
-    SumRatios<kTaps>(group, object, taps, first, rows + object * kRow);
+  GAUNT_LANES hn::Vec<LaneTag> Weight(size_t tap) const {
+    return hn::Load(LaneTag(), weights_ + tap * kStride);
   }
-}
 
-// Phase one for a group: weighted means of each tap, and their sum.
-inline HWY_NOINLINE void SumMeans(GroupTaps& group, size_t taps, bool first,
-                                  float* const means[3]) {
-  const RecordLanes k;
-  using V = RecordLanes::V;
-  for (size_t o = 0; o < kGroup; o += hn::Lanes(RecordLanes::D())) {
-    V sum_r = k.Zero(), sum_g = k.Zero(), sum_b = k.Zero();
-    if (!first) {
-      sum_r = k.Load(means[0] + o);
-      sum_g = k.Load(means[1] + o);
-      sum_b = k.Load(means[2] + o);
-    }
-    for (size_t t = 0; t < taps; ++t) {
-      V r, g, b;
-      WeightedMeans(k, k.LoadWord(group.words[t] + o), k.Load(group.weights[t] + o), r, g, b);
-      k.Store(r, group.means[t][0] + o);
-      k.Store(g, group.means[t][1] + o);
-      k.Store(b, group.means[t][2] + o);
-      sum_r = Add(sum_r, r);
-      sum_g = Add(sum_g, g);
-      sum_b = Add(sum_b, b);
-    }
-    k.Store(sum_r, means[0] + o);
-    k.Store(sum_g, means[1] + o);
-    k.Store(sum_b, means[2] + o);
+  // Taps first_tap .. first_tap + count of up to as many items as there are lanes.
+  template <class Source>
+  GAUNT_LANES void Fetch(const Source& source, size_t item, size_t items, size_t first_tap) {
+    const bool whole = items >= hn::Lanes(LaneTag());
+    if (whole && FetchValid(source, item, first_tap)) return;
+    FetchAny(source, item, items, first_tap);
   }
-}
 
-template <class Source>
-HWY_NOINLINE void FetchTaps(const Source& source, size_t first_item, size_t items, size_t first_tap,
-                            size_t taps, GroupTaps& group) {
-  for (size_t o = 0; o < kGroup; ++o) {
-    for (size_t t = 0; t < taps; ++t) {
-      float weight = 0.0f;
-      const uint8_t* record = o < items ? source(first_item + o, first_tap + t, weight) : kNoRecord;
-      group.records[t][o] = record;
-      group.weights[t][o] = weight;
-      std::memcpy(&group.words[t][o], record, sizeof(uint32_t));
-    }
-  }
-}
-
-#if !HWY_HAVE_SCALABLE && HWY_TARGET != HWY_SCALAR
-
-// Rows of 8 floats per object to [tap][object].
-GAUNT_LANES void TransposeTaps(const float* rows, float* out) {
-  using D = RecordLanes::D;
-  constexpr size_t kLanes = hn::MaxLanes(D());
-  constexpr ptrdiff_t kRowBytes = kTapChunk * sizeof(float);
-  for (size_t o = 0; o < kGroup; o += kLanes) {
-    for (size_t t = 0; t < kTapChunk; t += 4) {
-      LoadBlock<4>(D(), reinterpret_cast<const unsigned char*>(rows + o * kTapChunk + t), kRowBytes,
-                   out + t * kGroup + o, kGroup);
-    }
-  }
-}
-
-// The usual case, eight taps of eight objects that all have records. False if one does not.
-HWY_NOINLINE bool FetchEightTaps(const TapRecord& source, size_t first_item, GroupTaps& group) {
-  const uint32_t* const indices = source.taps.indices + first_item * kTapChunk;
-  uint32_t largest = 0;
-  for (size_t k = 0; k < kGroup * kTapChunk; ++k) largest = HWY_MAX(largest, indices[k]);
-  if (largest >= source.packed.count) return false;
-  HWY_ALIGN float words[kGroup * kTapChunk];
-  for (size_t o = 0; o < kGroup; ++o) {
-    for (size_t t = 0; t < kTapChunk; ++t) {
-      const uint8_t* record =
-          source.packed.data + size_t{indices[o * kTapChunk + t]} * source.packed.stride;
-      group.records[t][o] = record;
-      std::memcpy(words + o * kTapChunk + t, record, sizeof(float));
-    }
-  }
-  TransposeTaps(words, reinterpret_cast<float*>(group.words[0]));
-  TransposeTaps(source.taps.weights + first_item * kTapChunk, group.weights[0]);
-  return true;
-}
-GAUNT_LANES bool FetchEightTaps(const EachRecord&, size_t, GroupTaps&) { return false; }
-
-// What FinishGather<3> does, of a group whose output is in place: straight from the rows.
-inline HWY_NOINLINE void WriteGroup(const float* rows, const float* const means[3],
-                                    unsigned char* out, ptrdiff_t plane_stride) {
-  using D = RecordLanes::D;
-  const D d;
-  constexpr ptrdiff_t kRowBytes = kRow * sizeof(float);
-  for (size_t o = 0; o < kGroup; o += hn::MaxLanes(D())) {
-    const auto plane = [=](size_t p) HWY_ATTR {
-      return reinterpret_cast<float*>(out + static_cast<ptrdiff_t>(p) * plane_stride) + o;
-    };
-    for (size_t c = 0; c < Sh3::kChannels; ++c) {
-      hn::StoreU(hn::Load(d, means[c] + o), d, plane(9 * c));
-      for (size_t i = 0; i < Sh3::kRatios; i += 4) {
-        const auto* row =
-            reinterpret_cast<const unsigned char*>(rows + o * kRow + c * Sh3::kRatios + i);
-        const float* factors = kSh3Factors.decode + i;
-        auto a = LoadBlocks<4>(d, row, kRowBytes);
-        auto b = LoadBlocks<4>(d, row + kRowBytes, kRowBytes);
-        auto e = LoadBlocks<4>(d, row + 2 * kRowBytes, kRowBytes);
-        auto f = LoadBlocks<4>(d, row + 3 * kRowBytes, kRowBytes);
-        Transpose4(d, a, b, e, f);
-        hn::StoreU(Mul(hn::Set(d, factors[0]), a), d, plane(9 * c + i + 1));
-        hn::StoreU(Mul(hn::Set(d, factors[1]), b), d, plane(9 * c + i + 2));
-        hn::StoreU(Mul(hn::Set(d, factors[2]), e), d, plane(9 * c + i + 3));
-        hn::StoreU(Mul(hn::Set(d, factors[3]), f), d, plane(9 * c + i + 4));
+ private:
+  template <class Source>
+  HWY_NOINLINE void FetchAny(const Source& source, size_t item, size_t items, size_t first_tap) {
+    const uint8_t* records[kMost][kStride];
+    for (size_t lane = 0; lane < hn::Lanes(LaneTag()); ++lane) {
+      const size_t at = item + std::min(lane, items - 1);
+      for (size_t t = 0; t < count; ++t) {
+        records[t][lane] = source(at, first_tap + t, weights_[t * kStride + lane]);
       }
     }
+    for (size_t t = 0; t < count; ++t) {
+      LoadWords<kBytes>([&](size_t lane) { return records[t][lane]; },
+                        words_ + t * Words::kCount * kStride);
+    }
   }
-}
 
-#else
-
-template <class Source>
-bool FetchEightTaps(const Source&, size_t, GroupTaps&) {
-  return false;
-}
-inline void WriteGroup(const float*, const float* const*, unsigned char*, ptrdiff_t) {}
-
+  // The usual case, whole groups of items all of whose records exist. False if one does not.
+  HWY_NOINLINE bool FetchValid(const TapRecord& source, size_t item, size_t first_tap) {
+#if GAUNT_TRANSPOSES
+    if (count == kMost) {
+      const size_t taps = source.taps.count;
+      const uint32_t* const indices = source.taps.indices + item * taps + first_tap;
+      const float* const weights = source.taps.weights + item * taps + first_tap;
+      uint32_t largest = 0;
+      for (size_t lane = 0; lane < kStride; ++lane) {
+        for (size_t t = 0; t < kMost; ++t) largest = std::max(largest, indices[lane * taps + t]);
+      }
+      if (largest >= source.packed.count) return false;
+      for (size_t t = 0; t < kMost; t += 4) {
+        LoadBlock<4>(LaneTag(), reinterpret_cast<const unsigned char*>(weights + t),
+                     static_cast<ptrdiff_t>(taps * sizeof(float)), weights_ + t * kStride, kStride);
+      }
+      const uint8_t* const data = source.packed.data;
+      const size_t stride = source.packed.stride;
+      for (size_t t = 0; t < kMost; ++t) {
+        LoadWords<kBytes>(
+            [=](size_t lane) { return data + indices[lane * taps + t] * stride; },
+            words_ + t * Words::kCount * kStride);
+      }
+      return true;
+    }
 #endif
+    (void)source, (void)item, (void)first_tap;
+    return false;
+  }
+  HWY_NOINLINE bool FetchValid(const EachRecord& source, size_t item, size_t) {
+    hn::Store(hn::Set(LaneTag(), 1.0f), LaneTag(), weights_);
+    const uint8_t* const data = source.packed.data + item * source.packed.stride;
+    const size_t stride = source.packed.stride;
+    LoadWords<kBytes>([=](size_t lane) { return data + lane * stride; }, words_);
+    return true;
+  }
 
-// Rows of ratios and planes of means of up to kGroup objects from first_item.
+  HWY_ALIGN float weights_[kMost * kStride];
+  HWY_ALIGN float words_[kMost * Words::kCount * kStride];
+};
+
+// The items of a group of lanes, as an input of kernels.
 template <class Source>
-GAUNT_LANES void GatherGroup(const Source& source, size_t first_item, size_t items, size_t taps,
-                             float* rows, float* const means[3]) {
-  for (size_t t = 0; t < taps; t += kTapChunk) {
-    const size_t chunk = std::min(kTapChunk, taps - t);
-    GroupTaps group;
-    if (taps != kTapChunk || items != kGroup || !FetchEightTaps(source, first_item, group)) {
-      FetchTaps(source, first_item, items, t, chunk, group);
-    }
-    SumMeans(group, chunk, t == 0, means);
-    switch (chunk) {
-      case 1: SumGroup<1>(group, 1, t == 0, rows); break;
-      case 4: SumGroup<4>(group, 4, t == 0, rows); break;
-      case 8: SumGroup<8>(group, 8, t == 0, rows); break;
-      default: SumGroup<0>(group, chunk, t == 0, rows); break;
-    }
-  }
+struct ItemCursor {
+  const Source* source;
+  size_t item, end;
+
+  GAUNT_LANES const ItemCursor& Here() const { return *this; }
+  GAUNT_LANES void Next() { item += hn::Lanes(LaneTag()); }
+};
+
+template <class Source>
+class ItemSide {
+ public:
+  explicit ItemSide(const Source& source) : source_(source) {}
+  bool direct() const { return true; }
+  size_t items() const { return SIZE_MAX; }
+  ItemCursor<Source> Begin(size_t first, size_t n) const { return {&source_, first, first + n}; }
+  void Expect(size_t) {}
+  void End(size_t, size_t) {}
+  void Finish() {}
+
+ private:
+  Source source_;
+};
+template <class Source>
+ItemSide<Source>& AsSide(ItemSide<Source>& side) {
+  return side;
 }
 
-// out of item i = sum over its taps of weight times decoded record, bands below n only.
-template <int n, class Source>
-void GatherRecords(size_t count, size_t taps, const Source& source, const simd::OutView& out) {
-  HWY_ALIGN float rows[kTile * kRow];
-  HWY_ALIGN float means[Sh3::kChannels * kTile];
-  constexpr size_t kPlanes = Sh3::kChannels * NumCoefficients(n);
-  constexpr bool kTransposes = !HWY_HAVE_SCALABLE && HWY_TARGET != HWY_SCALAR;
-  size_t done = 0;
-  if (kTransposes && n == 3 && out.item_stride == sizeof(float) && out.tile_items % kGroup == 0) {
-    float* const group_means[3] = {means, means + kGroup, means + 2 * kGroup};
-    for (; done + kGroup <= count; done += kGroup) {
-      GatherGroup(source, done, kGroup, taps, rows, group_means);
-      WriteGroup(rows, group_means, out.Item(done), out.plane_stride);
+// The first `size` coefficients of sums of weighted records.
+template <class Format, class F>
+struct Blend {
+  size_t taps;
+  size_t size;
+
+  template <class K, class Source, class Out>
+  GAUNT_LANES void operator()(const K& k, const ItemCursor<Source>& items, const Out& out) const {
+    typename K::template Slots<kPlanes<F>> sums;
+    GroupTaps<F::kBytes> group;
+    const auto fetch = [&](size_t tap) {
+      group.count = std::min(group.kMost, taps - tap);
+      group.Fetch(*items.source, items.item, items.end - items.item, tap);
+    };
+    if constexpr (Source::kOneTap) {
+      constexpr size_t kSize = NumCoefficients(F::kOrder);
+      fetch(0);
+      Format::template AddTaps<true>(k, group, kSize, sums);
+      Format::Finish(k, sums, kSize, out);
+    } else {
+      for (size_t p = 0; p < kPlanes<F>; ++p) sums(p, k(0.0));
+      for (size_t t = 0; t < taps; t += group.kMost) {
+        fetch(t);
+        Format::template AddTaps<false>(k, group, size, sums);
+      }
+      Format::Finish(k, sums, size, out);
     }
   }
-  for (; done < count; done += kTile) {
-    const size_t tile = std::min(kTile, count - done);
-    for (size_t o = 0; o < tile; o += kGroup) {
-      float* const group_means[3] = {means + o, means + kTile + o, means + 2 * kTile + o};
-      GatherGroup(source, done + o, std::min(kGroup, tile - o), taps, rows + o * kRow, group_means);
-    }
-    ForEachBatch(tile, FinishGather<n>(), In<kRow>(simd::InterleavedIn(rows, kRow)),
-                 In<Sh3::kChannels>(simd::PlanarIn(means, kTile)),
-                 Out<kPlanes>(out, kPlanes, done));
-  }
-}
+};
 
 }  // namespace gaunt::probe::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -17,54 +17,54 @@ HWY_BEFORE_NAMESPACE();
 namespace gaunt::probe::HWY_NAMESPACE {
 
 constexpr size_t kEncodeChunk = 32;
-constexpr size_t kFields = 1 + Sh3::kChannels * Sh3::kRatios;
 
-// Fields, each in a float's room, to bytes; little-endian on every host.
-void PackRecord(const float* fields, uint8_t* record) {
-  uint32_t word;
-  std::memcpy(&word, fields, sizeof(word));
-  for (int byte = 0; byte < 4; ++byte) record[byte] = static_cast<uint8_t>(word >> (8 * byte));
-  for (size_t i = 1; i < kFields; ++i) {
-    int32_t ratio;
-    std::memcpy(&ratio, fields + i, sizeof(ratio));
-    record[Sh3::kRatiosOffset + i - 1] = static_cast<uint8_t>(ratio);
-  }
-}
-
+template <class F>
 void EncodeBatch(size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
                  const simd::OutView* report) {
-  float fields[kEncodeChunk * kFields];
+  constexpr size_t kWords = DenseWords<F::kBytes>::kCount;
+  uint32_t words[kEncodeChunk * kWords];  // little-endian on every host
   for (size_t done = 0; done < count; done += kEncodeChunk) {
     const size_t n = std::min(kEncodeChunk, count - done);
-    In<27> in_side(in, 27, done);
-    Out<kFields> field_side(simd::InterleavedOut(fields, kFields));
+    In<kPlanes<F>> in_side(in, kPlanes<F>, done);
+    Out<kWords> word_side(simd::InterleavedOut(reinterpret_cast<float*>(words), kWords));
     if (report != nullptr) {
-      ForEachBatch<EncodeLanes>(n, EncodeSh3<true>(), in_side, field_side,
+      ForEachBatch<RecordLanes>(n, Encode<F, true>(), in_side, word_side,
                                 Out<kReportPlanes>(*report, kReportPlanes, done));
     } else {
-      ForEachBatch<EncodeLanes>(n, EncodeSh3<false>(), in_side, field_side);
+      ForEachBatch<RecordLanes>(n, Encode<F, false>(), in_side, word_side);
     }
-    for (size_t i = 0; i < n; ++i) PackRecord(fields + i * kFields, packed + (done + i) * stride);
+    for (size_t i = 0; i < n; ++i) {
+      std::memcpy(packed + (done + i) * stride, words + i * kWords, F::kBytes);
+    }
   }
 }
 
+template <class F, class Source>
+void BlendBatch(size_t count, size_t taps, size_t order, const Source& source,
+                const simd::OutView& out) {
+  const Blend<FormatKernels<F>, F> kernel = {taps, order * order};
+  ForEachBatch<RecordLanes>(count, kernel, ItemSide<Source>(source),
+                            Out<kPlanes<F>>(out, kChannels * order * order));
+}
+
+template <class F>
 void DecodeBatch(size_t count, const PackedProbes& packed, const simd::OutView& out) {
-  GatherRecords<3>(count, 1, EachRecord{packed}, out);
+  BlendBatch<F>(count, 1, F::kOrder, EachRecord{packed}, out);
 }
 
-template <int n>
-void GatherBatch(size_t count, const Taps& taps, const PackedProbes& packed,
+template <class F>
+void GatherBatch(size_t order, size_t count, const Taps& taps, const PackedProbes& packed,
                  const simd::OutView& out) {
-  GatherRecords<n>(count, taps.count, TapRecord{taps, packed}, out);
+  BlendBatch<F>(count, taps.count, order, TapRecord{taps, packed}, out);
 }
 
-template <int... n>
-constexpr Table MakeTable(std::integer_sequence<int, 0, n...>) {
-  return {&EncodeBatch, &DecodeBatch, {nullptr, &GatherBatch<n>...}};
+template <class... F>
+constexpr Table MakeTable(FormatList<F...>) {
+  return {{{&EncodeBatch<F>, &DecodeBatch<F>, &GatherBatch<F>}...}};
 }
 
 const Table* GetTable() {
-  static constexpr Table kTable = MakeTable(Orders<Sh3::kOrder>());
+  static constexpr Table kTable = MakeTable(Formats());
   return &kTable;
 }
 

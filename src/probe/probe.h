@@ -27,13 +27,17 @@ struct Taps {
 
 inline constexpr size_t kReportPlanes = 3;
 
-struct Table {
+struct FormatTable {
   // `report` is null or has kReportPlanes planes.
   void (*encode)(size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
                  const simd::OutView* report);
   void (*decode)(size_t count, const PackedProbes& packed, const simd::OutView& out);
-  void (*gather[Sh3::kOrder + 1])(size_t count, const Taps& taps, const PackedProbes& packed,
-                                  const simd::OutView& out);  // [order of the output]
+  void (*gather)(size_t order, size_t count, const Taps& taps, const PackedProbes& packed,
+                 const simd::OutView& out);
+};
+
+struct Table {
+  FormatTable formats[kNumFormats];
 };
 
 const Table& Kernels();

@@ -9,50 +9,103 @@ void AppendOperations(OperationRows& rows);
 
 namespace {
 
-// Twin of RecordLanes.
-struct CountRecordLanes {
-  template <int>
-  Counted Mantissa(Counted) const {
+// Twin of RecordLanes: what makes floats of words, and words of floats, counts as nothing.
+struct CountRecordLanes : CountLanes {
+  template <int, int>
+  Counted Unsigned(Counted) const {
     return {};
   }
-  Counted Scale(Counted) const { return {}; }
-  Counted Ratios(const uint8_t*) const { return ++CountedOperations().load, Counted(); }
-};
-
-// Twin of EncodeLanes.
-struct CountEncodeLanes : CountLanes {
+  template <int, int>
+  Counted Signed(Counted) const {
+    return {};
+  }
+  template <int>
+  Counted TinyHalf(Counted) const {
+    return {};
+  }
+  template <int, int>
+  Counted TinyFloat(Counted) const {
+    return {};
+  }
+  template <int, int>
+  Counted Power(Counted) const {
+    return {};
+  }
   Counted PowerOfTwo(Counted) const { return {}; }
-  Counted Integer(Counted) const { return {}; }
-  Counted Rgb9e5Word(Counted, Counted, Counted, Counted) const { return {}; }
+  template <int>
+  Counted Exponent(Counted) const {
+    return {};
+  }
+  template <int>
+  Counted Integer(Counted) const {
+    return {};
+  }
+  template <int>
+  Counted SmallFloatBits(Counted v) const {
+    return Add(v, v);
+  }
+  Counted HalfBits(Counted v) const { return SmallFloatBits<10>(v); }
+  template <int>
+  Counted Left(Counted) const {
+    return {};
+  }
+  Counted Or(Counted, Counted) const { return {}; }
 };
 
-// One tap of one object: its means, their sums, and the ratios, eight to a vector.
-Operations Tap() {
+template <class F>
+struct CountTaps {
+  static constexpr size_t kMost = 8;
+  size_t count;
+  auto Record(size_t) const {
+    return HWY_NAMESPACE::RecordIn<HWY_NAMESPACE::LoadedWords<F::kBytes>, CountPlanes>{{}};
+  }
+  Counted Weight(size_t) const { return {}; }
+};
+
+template <class F, bool kDecodes>
+Operations CountBlend(size_t taps) {
+  using Kernels = HWY_NAMESPACE::FormatKernels<F>;
+  const CountRecordLanes k;
+  const size_t size = NumCoefficients(F::kOrder);
+  CountRecordLanes::Slots<1> sums;
   CountedOperations() = Operations();
-  Counted r, g, b;
-  HWY_NAMESPACE::WeightedMeans(CountRecordLanes(), Counted(), Counted(), r, g, b);
-  for (size_t c = 0; c < Sh3::kChannels; ++c) Add(r, g);
-  const Operations means = CountedOperations();
+  Kernels::template AddTaps<kDecodes>(k, CountTaps<F>{taps}, size, sums);
+  Kernels::Finish(k, sums, size, CountPlanes());
+  return CountedOperations();
+}
+
+template <class F>
+void AppendFormat(OperationRows& rows, const char* name) {
+  const std::string order = std::to_string(F::kOrder);
+  const auto append = [&](const char* op, const char* variant, const Operations& operations) {
+    rows.push_back({op, order, name + std::string(variant), operations});
+  };
+  append("probe_gather", "_4_taps", CountBlend<F, false>(4));
+  append("probe_gather", "_8_taps", CountBlend<F, false>(8));
+  append("probe_decode", "", CountBlend<F, true>(1));
+  const CountPlanes planes;
   CountedOperations() = Operations();
-  HWY_NAMESPACE::AddRatios(CountRecordLanes(), nullptr, r, g, b, r, g, b);
-  return means + Sh3::kRatios * CountedOperations();
+  HWY_NAMESPACE::Encode<F, false>()(CountRecordLanes(), planes, planes);
+  append("probe_encode", "", CountedOperations());
+  CountedOperations() = Operations();
+  HWY_NAMESPACE::Encode<F, true>()(CountRecordLanes(), planes, planes, planes);
+  append("probe_encode", "_report", CountedOperations());
 }
 
 }  // namespace
 
 void AppendOperations(OperationRows& rows) {
-  namespace kernels = HWY_NAMESPACE;
-  const CountPlanes planes;
-  const Operations finish = CountKernel(kernels::FinishGather<3>(), planes, planes, planes);
-  rows.push_back({"probe_gather", "3", "sh3_28_4_taps", 4 * Tap() + finish});
-  rows.push_back({"probe_gather", "3", "sh3_28_8_taps", 8 * Tap() + finish});
-  rows.push_back({"probe_decode", "3", "sh3_28", Tap() + finish});
-  CountedOperations() = Operations();
-  kernels::EncodeSh3<false>()(CountEncodeLanes(), planes, planes);
-  rows.push_back({"probe_encode", "3", "sh3_28", CountedOperations()});
-  CountedOperations() = Operations();
-  kernels::EncodeSh3<true>()(CountEncodeLanes(), planes, planes, planes);
-  rows.push_back({"probe_encode", "3", "sh3_28_report", CountedOperations()});
+  AppendFormat<Sh3At28>(rows, "sh3_28");
+  AppendFormat<Sh2At13>(rows, "sh2_13");
+  AppendFormat<Sh3At32>(rows, "sh3_32");
+  AppendFormat<Sh5At55>(rows, "sh5_55");
+  AppendFormat<HalfAt54>(rows, "sh3_f16");
+  AppendFormat<FloatAt108>(rows, "sh3_f32");
+  AppendFormat<UnrealAt28>(rows, "unreal_28");
+  AppendFormat<UnityAt16>(rows, "unity_l1_16");
+  AppendFormat<UnityAt32>(rows, "unity_l2_32");
+  AppendFormat<Rgb9e5At4>(rows, "rgb9e5");
+  AppendFormat<R11g11b10At4>(rows, "r11g11b10f");
 }
 
 }  // namespace gaunt::probe

@@ -5,19 +5,26 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace gaunt::probe {
 
-// 28 bytes to RGB radiance of order 3, channel-major.
-void DecodeReference(const uint8_t* record, double out[27]);
-void EncodeReference(const double in[27], uint8_t* record);
+// A coefficient as a record has it: from `least` to `most` in steps, where the means are as they are.
+struct Coefficient {
+  double value, step, least, most;
+};
+
+// All of a record, channel by channel.
+std::vector<Coefficient> ReadReference(uint32_t format, const uint8_t* record);
 
 // Weighted sum of decoded records; an index that is not below packed_count adds nothing.
-void GatherReference(size_t taps, const uint32_t* indices, const float* weights,
-                     const uint8_t* packed, size_t packed_count, size_t stride, double out[27]);
+std::vector<double> GatherReference(uint32_t format, size_t taps, const uint32_t* indices,
+                                    const float* weights, const uint8_t* packed,
+                                    size_t packed_count, size_t stride);
 
 // RMS error of E/pi over the sphere and the channels, and the bound on its largest error.
-void ErrorReference(const double wanted[27], const double decoded[27], double* rms, double* bound);
+void ErrorReference(int order, const double* wanted, const double* decoded, double* rms,
+                    double* bound);
 
 }  // namespace gaunt::probe
 
