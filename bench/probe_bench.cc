@@ -2,21 +2,56 @@
 #include "bench/support.h"
 
 namespace gaunt::bench {
+namespace {
 
-GAUNT_BENCHMARKS(probe) {
-  constexpr size_t kProbes = 2048, kBytes = 28;
-  // Records of mid-range means and every kind of ratio.
-  const auto packed = std::make_shared<std::vector<uint8_t>>(kLarge * kBytes);
-  for (size_t k = 0; k < packed->size(); ++k) {
-    (*packed)[k] = static_cast<uint8_t>(k % kBytes == 3 ? 0x7C : k * 2654435761u >> 7);
+struct FormatName {
+  uint32_t format;
+  const char* name;
+};
+constexpr FormatName kFormats[] = {
+    {GAUNT_FORMAT_SH3_28, "sh3_28"},           {GAUNT_FORMAT_SH2_13, "sh2_13"},
+    {GAUNT_FORMAT_SH3_32, "sh3_32"},           {GAUNT_FORMAT_SH5_55, "sh5_55"},
+    {GAUNT_FORMAT_SH3_F16, "sh3_f16"},         {GAUNT_FORMAT_SH3_F32, "sh3_f32"},
+    {GAUNT_FORMAT_UNREAL_28, "unreal_28"},     {GAUNT_FORMAT_UNITY_L1_16, "unity_l1_16"},
+    {GAUNT_FORMAT_UNITY_L2_32, "unity_l2_32"}, {GAUNT_FORMAT_RGB9E5, "rgb9e5"},
+    {GAUNT_FORMAT_R11G11B10F, "r11g11b10f"}};
+
+// Means of 1 and every kind of ratio.
+void MakeProbe(size_t item, size_t size, float* planes) {
+  for (size_t p = 0; p < 3 * size; ++p) {
+    planes[p] = p % size == 0 ? 1.0f : static_cast<float>((item * 7 + p * 13) % 29) / 29.0f;
+  }
+}
+
+void RegisterFormat(const FormatName& format) {
+  constexpr size_t kProbes = 2048;
+  gaunt_format_properties properties = {sizeof(properties), 0, 0, 0};
+  gaunt_format_info(format.format, &properties);
+  const size_t bytes = properties.bytes, planes = properties.planes;
+  const std::string name = format.name, order = std::to_string(properties.order);
+  const std::string suffix = "_" + name + "/n" + order;
+
+  // The same thousand, over and over.
+  const auto packed = std::make_shared<std::vector<uint8_t>>();
+  {
+    constexpr size_t kDifferent = 1024;
+    std::vector<float> probes(kDifferent * planes);
+    for (size_t i = 0; i < kDifferent; ++i) MakeProbe(i, planes / 3, &probes[i * planes]);
+    gaunt_view view;
+    gaunt_view_interleaved(probes.data(), planes, &view);
+    std::vector<uint8_t> records(kDifferent * bytes);
+    gaunt_probe_encode(format.format, kDifferent, &view, records.data(), bytes, nullptr);
+    while (packed->size() < kLarge * bytes) {
+      packed->insert(packed->end(), records.begin(), records.end());
+    }
   }
   BatchBenchmark batch;
-  batch.name = "probe/decode/n3";
-  batch.operations = OperationsOf("probe_decode", "3", "sh3_28");
-  batch.outputs = {27};
-  batch.more_read = kBytes;
+  batch.name = "probe/decode" + suffix;
+  batch.operations = OperationsOf("probe_decode", order, name);
+  batch.outputs = {planes};
+  batch.more_read = bytes;
   batch.call = [=](size_t count, const BatchBenchmark::Views&, const BatchBenchmark::Views& out) {
-    return gaunt_probe_decode(GAUNT_FORMAT_SH3_28, count, packed->data(), kBytes, out[0]);
+    return gaunt_probe_decode(format.format, count, packed->data(), bytes, out[0]);
   };
   RegisterBatch(batch);
 
@@ -28,30 +63,32 @@ GAUNT_BENCHMARKS(probe) {
       (*indices)[8 * i + t] = corner + (t & 1) + 16 * (t >> 1 & 1) + 128 * (t >> 2);
     }
   }
-  batch.name = "probe/gather8/n3";
-  batch.operations = OperationsOf("probe_gather", "3", "sh3_28_8_taps");
-  batch.more_read = 8 * (kBytes + sizeof(uint32_t) + sizeof(float));
+  batch.name = "probe/gather8" + suffix;
+  batch.operations = OperationsOf("probe_gather", order, name + "_8_taps");
+  batch.more_read = 8 * (bytes + sizeof(uint32_t) + sizeof(float));
   batch.call = [=](size_t count, const BatchBenchmark::Views&, const BatchBenchmark::Views& out) {
-    return gaunt_probe_gather(GAUNT_FORMAT_SH3_28, 3, count, 8, indices->data(), weights->data(),
-                              packed->data(), kProbes, kBytes, out[0]);
+    return gaunt_probe_gather(format.format, properties.order, count, 8, indices->data(),
+                              weights->data(), packed->data(), kProbes, bytes, out[0]);
   };
   RegisterBatch(batch);
 
-  const auto records = std::make_shared<std::vector<uint8_t>>(kLarge * kBytes);
+  const auto records = std::make_shared<std::vector<uint8_t>>(kLarge * bytes);
   batch = {};
-  batch.name = "probe/encode/n3";
-  batch.operations = OperationsOf("probe_encode", "3", "sh3_28");
-  batch.inputs = {27};
-  batch.more_written = kBytes;
-  batch.make = [](size_t item, size_t, float* planes) {
-    for (size_t p = 0; p < 27; ++p) {
-      planes[p] = p % 9 == 0 ? 1.0f : static_cast<float>((item * 7 + p * 13) % 29) / 29.0f;
-    }
-  };
+  batch.name = "probe/encode" + suffix;
+  batch.operations = OperationsOf("probe_encode", order, name);
+  batch.inputs = {planes};
+  batch.more_written = bytes;
+  batch.make = [=](size_t item, size_t, float* p) { MakeProbe(item, planes / 3, p); };
   batch.call = [=](size_t count, const BatchBenchmark::Views& in, const BatchBenchmark::Views&) {
-    return gaunt_probe_encode(GAUNT_FORMAT_SH3_28, count, in[0], records->data(), kBytes, nullptr);
+    return gaunt_probe_encode(format.format, count, in[0], records->data(), bytes, nullptr);
   };
   RegisterBatch(batch);
+}
+
+}  // namespace
+
+GAUNT_BENCHMARKS(probe) {
+  for (const FormatName& format : kFormats) RegisterFormat(format);
 }
 
 }  // namespace gaunt::bench

@@ -18,7 +18,9 @@ bool IsFormat(uint32_t format) { return InRange(format, 1, gaunt::probe::kNumFor
 FormatShape ShapeOf(uint32_t format) {
   return gaunt::probe::ShapeOf(gaunt::probe::Formats(), format - 1);
 }
-const FormatTable& KernelsOf(uint32_t format) { return gaunt::probe::Kernels().formats[format - 1]; }
+const FormatTable& KernelsOf(uint32_t format) {
+  return gaunt::probe::Kernels().formats[format - 1];
+}
 
 }  // namespace
 

@@ -111,9 +111,8 @@ TEST_P(Probe, ReadsNothingAroundTheRecords) {
       const std::unique_ptr<uint8_t[]> packed(new uint8_t[records.size()]);
       std::copy(records.begin(), records.end(), packed.get());
       Buffer out(Layout::kPlanar, count, format.planes);
-      EXPECT_EQ(
-          gaunt_probe_decode(format.id, count, packed.get(), format.bytes, out.view()),
-          GAUNT_OK);
+      EXPECT_EQ(gaunt_probe_decode(format.id, count, packed.get(), format.bytes, out.view()),
+                GAUNT_OK);
       const std::vector<uint32_t> indices(count * 8, static_cast<uint32_t>(count - 1));
       const std::vector<float> weights(count * 8, 0.125f);
       EXPECT_EQ(gaunt_probe_gather(format.id, format.order, count, 8, indices.data(),
@@ -139,8 +138,9 @@ TEST_P(Probe, DecodesAnyBytesToFiniteValues) {
       const auto wanted = probe::ReadReference(format.id, packed.data() + i * format.bytes);
       for (size_t p = 0; p < format.planes; ++p) {
         const size_t mean = p / (format.planes / 3) * (format.planes / 3);
-        ASSERT_NEAR(out.Get(i, p), wanted[p].value,
-                    2.5e-7 * std::max(std::abs(wanted[p].value), 8.0 * std::abs(wanted[mean].value)));
+        ASSERT_NEAR(
+            out.Get(i, p), wanted[p].value,
+            2.5e-7 * std::max(std::abs(wanted[p].value), 8.0 * std::abs(wanted[mean].value)));
       }
     }
   }
@@ -175,12 +175,11 @@ TEST_P(Probe, EncodesToNearestInEveryFormatAndLayout) {
             for (size_t p = 0; p < format.planes; ++p) in.Set(i, p, probes[format.planes * i + p]);
           }
           std::vector<uint8_t> packed(count * stride + 1, 0xEE), plain = packed;
-          ASSERT_EQ(gaunt_probe_encode(format.id, count, in.view(), packed.data(), stride,
-                                       report.view()),
-                    GAUNT_OK);
           ASSERT_EQ(
-              gaunt_probe_encode(format.id, count, in.view(), plain.data(), stride, nullptr),
+              gaunt_probe_encode(format.id, count, in.view(), packed.data(), stride, report.view()),
               GAUNT_OK);
+          ASSERT_EQ(gaunt_probe_encode(format.id, count, in.view(), plain.data(), stride, nullptr),
+                    GAUNT_OK);
           EXPECT_EQ(packed, plain);
           EXPECT_EQ(packed.back(), 0xEE);
           ASSERT_TRUE(report.CanariesIntact());
@@ -190,7 +189,8 @@ TEST_P(Probe, EncodesToNearestInEveryFormatAndLayout) {
             ExpectNearest(format, f, record);
             for (size_t b = format.bytes; b < stride; ++b) ASSERT_EQ(record[b], 0xEE);
             std::vector<double> wanted(f, f + format.planes), decoded;
-            for (const auto& c : probe::ReadReference(format.id, record)) decoded.push_back(c.value);
+            for (const auto& c : probe::ReadReference(format.id, record))
+              decoded.push_back(c.value);
             double rms, bound;
             probe::ErrorReference(static_cast<int>(format.order), wanted.data(), decoded.data(),
                                   &rms, &bound);
@@ -211,9 +211,9 @@ TEST_P(Probe, SurvivesExtremeProbes) {
   for (const Format& format : AllFormats()) {
     const size_t size = format.planes / 3;
     for (const float mean :
-         {0.0f, -0.0f, -1.0f, nan, inf, -inf, 1e30f, 65408.0f, 65407.9f, 65536.0f, 65504.0f,
-          65519.9f, 65520.0f, 65024.0f, 64512.0f, 1e-45f, 1e-38f, 5.9e-8f, 2.9e-8f, 3.1e-8f,
-          6.1e-5f, 511.49f, 511.5f, 511.51f, 1.0f}) {
+         {0.0f,     -0.0f,    -1.0f,    nan,      inf,      -inf,     1e30f,  65408.0f, 65407.9f,
+          65536.0f, 65504.0f, 65519.9f, 65520.0f, 65024.0f, 64512.0f, 1e-45f, 1e-38f,   5.9e-8f,
+          2.9e-8f,  3.1e-8f,  6.1e-5f,  511.49f,  511.5f,   511.51f,  1.0f}) {
       for (const float ratio : {0.0f, 1.0f, -1.0f, 10.0f, nan, inf, -inf, 1e30f}) {
         std::vector<float> f(format.planes), decoded(format.planes);
         for (size_t p = 0; p < f.size(); ++p) f[p] = p % size == 0 ? mean : ratio;
@@ -300,8 +300,8 @@ TEST_P(Probe, GathersEveryFormatNumberOfTapsAndLayout) {
               for (size_t t = 0; t < taps; ++t) {
                 if (indices[i * taps + t] >= kProbes) continue;
                 double largest = 0.0;
-                for (const auto& c :
-                     probe::ReadReference(format.id, packed.data() + indices[i * taps + t] * stride)) {
+                for (const auto& c : probe::ReadReference(
+                         format.id, packed.data() + indices[i * taps + t] * stride)) {
                   largest = std::max(largest, std::abs(c.value));
                 }
                 tolerance += 1e-6 * std::abs(double{weights[i * taps + t]}) * largest;
@@ -413,9 +413,9 @@ TEST(ProbeFormat, IsWhatTheManualSays) {
   gaunt_view view;
   gaunt_view_interleaved(f, 27, &view);
   for (size_t c = 0; c < 3; ++c) f[9 * c] = 1.0f;
-  f[1] = std::sqrt(3.0f);             // R
-  f[9 + 6] = -std::sqrt(5.0f) / 2;    // G
-  f[18 + 8] = std::sqrt(15.0f) / 2;   // B
+  f[1] = std::sqrt(3.0f);            // R
+  f[9 + 6] = -std::sqrt(5.0f) / 2;   // G
+  f[18 + 8] = std::sqrt(15.0f) / 2;  // B
   uint8_t record[28];
   ASSERT_EQ(gaunt_probe_encode(GAUNT_FORMAT_SH3_28, 1, &view, record, 28, nullptr), GAUNT_OK);
   uint32_t word;
@@ -427,9 +427,9 @@ TEST(ProbeFormat, IsWhatTheManualSays) {
   ASSERT_EQ(gaunt_probe_encode(GAUNT_FORMAT_UNREAL_28, 1, &view, record, 28, nullptr), GAUNT_OK);
   std::memcpy(&word, record, 4);
   EXPECT_EQ(word, 15u << 6 | 15u << 17 | 15u << 27);
-  EXPECT_EQ(record[4 + 2], 255);             // red of the first layer of R: i = 1
-  EXPECT_EQ(record[4 + 8 + 4 + 1], 96);      // green of the second of G: i = 6, -1/4 of the range
-  EXPECT_EQ(record[4 + 16 + 4 + 3], 191);    // alpha of the second of B: i = 8
+  EXPECT_EQ(record[4 + 2], 255);           // red of the first layer of R: i = 1
+  EXPECT_EQ(record[4 + 8 + 4 + 1], 96);    // green of the second of G: i = 6, -1/4 of the range
+  EXPECT_EQ(record[4 + 16 + 4 + 3], 191);  // alpha of the second of B: i = 8
 }
 
 // E/pi of a Unity record, evaluated as its shaders do, is that of the coefficients.

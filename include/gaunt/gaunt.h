@@ -992,7 +992,7 @@ enum {
  * stride  bytes from record to record, at least the size of one; bytes between records stay
  * report  GAUNT_REPORT_PLANES planes, or NULL
  *
- * A NaN becomes 0, and so does a negative mean, except in GAUNT_FORMAT_SH3_F16 and _F32; means end
+ * A NaN becomes 0, an infinity the largest that there is, and a negative mean 0, except in GAUNT_FORMAT_SH3_F16 and _F32; means end
  * at what the container holds (RGB9E5 65408, half 65504, R11G11B10F 65024 of R and G and 64512 of
  * B), of L_0 or, in Unity's formats, of L_0 / sqrt(4 pi). A channel whose mean is 0 becomes black.
  *

@@ -63,7 +63,8 @@ struct Floats {
     if constexpr (p < kPlanes<F>) {
       using V = typename K::V;
       constexpr size_t left = kPlanes<F> - p;
-      constexpr size_t kFirst = (p + (left > 3 ? 3 : left - 1)) / kSize == p / kSize ? p % kSize : 0;
+      constexpr size_t kFirst =
+          (p + (left > 3 ? 3 : left - 1)) / kSize == p / kSize ? p % kSize : 0;
       if (kFirst < size) {
         V s0 = k(0.0), s1 = s0, s2 = s0, s3 = s0;
         if constexpr (!kNew) s0 = sums(p);

@@ -80,16 +80,22 @@ struct RatioFormat {
 
 struct Sh2At13 : RatioFormat {
   static constexpr size_t kBytes = 13, kOrder = 2;
-  static constexpr int BitOf(size_t c, size_t i) { return static_cast<int>(32 + 8 * (3 * c + i - 1)); }
+  static constexpr int BitOf(size_t c, size_t i) {
+    return static_cast<int>(32 + 8 * (3 * c + i - 1));
+  }
 };
 struct Sh3At28 : RatioFormat {
   static constexpr size_t kBytes = 28, kOrder = 3;
-  static constexpr int BitOf(size_t c, size_t i) { return static_cast<int>(32 + 8 * (8 * c + i - 1)); }
+  static constexpr int BitOf(size_t c, size_t i) {
+    return static_cast<int>(32 + 8 * (8 * c + i - 1));
+  }
 };
 struct Sh3At32 : RatioFormat {
   static constexpr size_t kBytes = 32, kOrder = 3;
   static constexpr Container kContainer = Container::kHalf3;
-  static constexpr int BitOf(size_t c, size_t i) { return static_cast<int>(64 + 8 * (8 * c + i - 1)); }
+  static constexpr int BitOf(size_t c, size_t i) {
+    return static_cast<int>(64 + 8 * (8 * c + i - 1));
+  }
 };
 // Band 3 is left out: E has none.
 struct Sh5At55 : RatioFormat {
@@ -186,7 +192,7 @@ struct R11g11b10At4 : Rgb9e5At4 {
 };
 
 template <class F>
-inline constexpr size_t kPlanes = kChannels * F::kOrder * F::kOrder;
+inline constexpr size_t kPlanes = kChannels* F::kOrder* F::kOrder;
 
 // In the order of GAUNT_FORMAT_*, from 1 on.
 template <class... F>

@@ -171,9 +171,8 @@ class GroupTaps {
       const uint8_t* const data = source.packed.data;
       const size_t stride = source.packed.stride;
       for (size_t t = 0; t < kMost; ++t) {
-        LoadWords<kBytes>(
-            [=](size_t lane) { return data + indices[lane * taps + t] * stride; },
-            words_ + t * Words::kCount * kStride);
+        LoadWords<kBytes>([=](size_t lane) { return data + indices[lane * taps + t] * stride; },
+                          words_ + t * Words::kCount * kStride);
       }
       return true;
     }

@@ -31,6 +31,7 @@ struct CountRecordLanes : CountLanes {
   Counted Power(Counted) const {
     return {};
   }
+  Counted FlipSigns(Counted) const { return {}; }
   Counted PowerOfTwo(Counted) const { return {}; }
   template <int>
   Counted Exponent(Counted) const {

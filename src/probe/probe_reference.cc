@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "evaluate/evaluate_reference.h"
 #include "gaunt/gaunt.h"
@@ -23,7 +24,8 @@ double Bound(int i) {
   double largest = 0.0;
   for (int step = 0; step <= 200000; ++step) {
     const double theta = kPi * step / 200000.0;
-    largest = std::max(largest, std::abs(std::sph_legendre(static_cast<unsigned>(l), static_cast<unsigned>(m), theta)));
+    largest = std::max(largest, std::abs(std::sph_legendre(static_cast<unsigned>(l),
+                                                           static_cast<unsigned>(m), theta)));
   }
   return largest * (m == 0 ? 1.0 : std::sqrt(2.0)) * std::sqrt(4.0 * kPi);
 }
@@ -91,7 +93,8 @@ std::vector<Coefficient> Ratios(const std::vector<Coefficient>& means, const uin
     all.push_back(mean);
     for (int i = 1; i < order * order; ++i) {
       const bool has = i < 9 || i >= 16;
-      all.push_back(has ? Times(Snorm8(*bytes++, BoundOf(i)), mean.value) : Coefficient{0, 0, 0, 0});
+      all.push_back(has ? Times(Snorm8(*bytes++, BoundOf(i)), mean.value)
+                        : Coefficient{0, 0, 0, 0});
     }
   }
   return all;
@@ -160,7 +163,8 @@ std::vector<Coefficient> Floats(const uint8_t* record) {
   for (int p = 0; p < 27; ++p) {
     float value;
     std::memcpy(&value, record + 4 * p, sizeof(value));
-    all.push_back({value, 0.0, -3.5e38, 3.5e38});
+    constexpr double kMost = std::numeric_limits<float>::max();
+    all.push_back({value, 0.0, -kMost, kMost});
   }
   return all;
 }

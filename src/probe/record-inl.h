@@ -44,6 +44,10 @@ struct RecordLanes : Lanes {
     if constexpr (kShift + kWidth < 32) bits = hn::ShiftLeft<32 - kShift - kWidth>(bits);
     return hn::ConvertTo(LaneTag(), hn::ShiftRight<32 - kWidth>(bits));
   }
+  // The topmost bit of each byte the other way round.
+  GAUNT_LANES V FlipSigns(V word) const {
+    return Word(hn::Xor(Bits(word), hn::Set(U(), 0x80808080u)));
+  }
   // A half float, and a small one without a sign: their bits as those of a float, which is then too
   // small by kPerTiny. Exact for the smallest, too.
   template <int kShift>
@@ -68,9 +72,7 @@ struct RecordLanes : Lanes {
   }
 
   // 2^floor(log2(v)) of a normal v > 0, and e of 2^(e - bias).
-  GAUNT_LANES V PowerOfTwo(V v) const {
-    return Word(hn::And(Bits(v), hn::Set(U(), 0x7F800000u)));
-  }
+  GAUNT_LANES V PowerOfTwo(V v) const { return Word(hn::And(Bits(v), hn::Set(U(), 0x7F800000u))); }
   template <int kBias>
   GAUNT_LANES V Exponent(V power) const {
     return Word(hn::Sub(hn::ShiftRight<23>(Bits(power)), hn::Set(U(), 127u - kBias)));
@@ -88,8 +90,7 @@ struct RecordLanes : Lanes {
     const auto bits = Bits(v);
     const auto odd = hn::And(hn::ShiftRight<kDropped>(bits), hn::Set(U(), 1u));
     const auto rounded = hn::Add(hn::Add(bits, hn::Set(U(), (1u << (kDropped - 1)) - 1)), odd);
-    const auto normal = hn::ShiftRight<kDropped>(
-        hn::Sub(rounded, hn::Set(U(), 112u << 23)));
+    const auto normal = hn::ShiftRight<kDropped>(hn::Sub(rounded, hn::Set(U(), 112u << 23)));
     // Below 2^-14 the last place is always the same, and that of the sum with this number.
     const V base = (*this)(kMantissa == 10 ? 0x1p-1 : kMantissa == 6 ? 0x1p3 : 0x1p4);
     const auto small = hn::Sub(Bits(Add(v, base)), Bits(base));
@@ -156,6 +157,12 @@ struct RecordIn {
   GAUNT_LANES auto Signed(const K& k) const {
     using F = Field<Words, kBit, kWidth>;
     return k.template Signed<F::kShift, kWidth>(words(F::kWord));
+  }
+  // A byte without a sign, less 128.
+  template <int kBit, class K>
+  GAUNT_LANES auto SignedLess128(const K& k) const {
+    using F = Field<Words, kBit, 8>;
+    return k.template Signed<F::kShift, 8>(k.FlipSigns(words(F::kWord)));
   }
   template <int kBit, class K>
   GAUNT_LANES auto TinyHalf(const K& k) const {
