@@ -902,6 +902,204 @@ GAUNT_API gaunt_status gaunt_light_extract(uint32_t n, uint32_t channels, uint32
                                            const gaunt_view* directions, const gaunt_view* colours,
                                            const gaunt_view* ambient);
 
+/* ---- zh3 ------------------------------------------------------------------------------------- */
+
+/*
+ * ZH3 (Roughton, Sloan, Silvennoinen, Iwanicki and Shirley 2024): order 2, and of band 2 the part
+ * that is symmetric about the axis a of band 1, which is one number per channel:
+ *   L(d) = sum over i < 4 of L_i y_i(d) + k2 sqrt(5/(16 pi)) (3 dot(a, d)^2 - 1)
+ * What all of its functions take and give, radiance of RGB:
+ *   sh3   27 planes, order 3          sh2   12 planes, order 2
+ *   k2    3 planes                    axis  3 planes, or 9, channel-major: unit vectors
+ * Where band 1 has no direction, being zero, below 1e-37 or not finite, a is zero, and so is
+ * what k2 adds. Figures hold for components up to 1e37.
+ */
+
+/** Whose axis: argument axis_mode. Values never change. */
+enum {
+  GAUNT_ZH3_AXIS_LUMINANCE = 1, /**< one for all channels: along (-L_3, -L_1, L_2) of the Rec. 709
+                                     luminance 0.2126 R + 0.7152 G + 0.0722 B. Colours stay true */
+  GAUNT_ZH3_AXIS_CHANNEL = 2    /**< one for each channel: closer */
+};
+
+/** How k2 follows from order 2. Values never change. */
+enum {
+  /** An ambient and a directional light: k2 = sqrt(5/3) r L_0. */
+  GAUNT_ZH3_MODEL_AMBIENT_DIRECTIONAL = 1,
+  /** A disc of even light on the sphere: k2 = sqrt(5/3) r (2 r / sqrt(3) - 1) L_0. */
+  GAUNT_ZH3_MODEL_SPHERICAL_CAP = 2,
+  /** The fit to real probes of the source, section 3.4.3: k2 = (0.08 r + 0.6 r^2) L_0. */
+  GAUNT_ZH3_MODEL_CURVE = 3
+};
+
+/**
+ * Takes k2 from order 3, the least-squares fit about the axis:
+ *   k2_c = sum over m of z_m L_2m,c,   z_m = y_2m(a_c) sqrt(4 pi / 5)
+ *
+ * axis_mode  GAUNT_ZH3_AXIS_*
+ * count      probes
+ * sh3        27 planes, radiance
+ * k2         3 planes. With bands 0 and 1, which stay as they are, it is the probe.
+ * axis       3 planes, or 9 of GAUNT_ZH3_AXIS_CHANNEL; NULL if it is not wanted
+ *
+ * Accuracy:  k2 within 1e-6 |L_2| / s, with s = |sum of weighted bands 1| / sum of |weighted bands
+ *            1|, which is 1 for GAUNT_ZH3_AXIS_CHANNEL; the axis within 4e-7 / s.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_zh3_solve(uint32_t axis_mode, size_t count, const gaunt_view* sh3,
+                                       const gaunt_view* k2, const gaunt_view* axis);
+
+/**
+ * Fits ZH3 to order 3 with an axis that is free: the band 1 and the k2 of the least error of
+ * irradiance over the sphere,
+ *   sum over channels of (2/3)^2 |L'_1 - L_1|^2 + (1/4)^2 |k2 z(a) - L_2|^2  ->  min,
+ * where a is the axis of L'_1. Given a, with p the sum of w_c L_1,c as vectors, the best is
+ *   L'_1,c = L_1,c - w_c (p - (p a) a) / sum of w^2,   k2_c as of gaunt_zh3_solve(),
+ * w the luminance, or 1 for the one channel of an axis; which leaves a search over the sphere, of
+ *   (2/3)^2 (p a)^2 / sum of w^2 + (1/4)^2 sum over channels of k2_c(a)^2  ->  max.
+ * Newton's method climbs from the axis that there is and from six more. Luminance along a is kept
+ * at 0.001 of the largest coefficient, so that the axis of what is stored is a.
+ *
+ * axis_mode  GAUNT_ZH3_AXIS_*
+ * count      probes
+ * sh3        27 planes, radiance
+ * sh2        12 planes; band 0 is copied
+ * k2         3 planes
+ *
+ * Where bands 1 and 2 (of all channels, or of the one) are zero or have a number that is not
+ * finite, band 1 is copied and k2 is 0.
+ *
+ * Accuracy:  the error is within 1e-5 of the least there is, and at most 2e-6 above that of
+ *            gaunt_zh3_solve(), relative to the sum for L' = 0: no more was found in a million
+ *            probes of random coefficients and of lights.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_zh3_refit(uint32_t axis_mode, size_t count, const gaunt_view* sh3,
+                                       const gaunt_view* sh2, const gaunt_view* k2);
+
+/**
+ * Guesses k2 from order 2 by a model of the light, with r = |dot(a, band 1)| / L_0 of the channel,
+ * cut off at sqrt(3), which is light from one direction:
+ *   k2 = L_0 (linear r + quadratic r^2)
+ * Hallucinate after blending probes, not before.
+ *
+ * model      GAUNT_ZH3_MODEL_*
+ * axis_mode  GAUNT_ZH3_AXIS_*
+ * count      probes
+ * sh2        12 planes, radiance
+ * k2         3 planes
+ *
+ * Where L_0 is not above 0, the axis is zero or a number is a NaN, k2 is 0; so |k2| is at most
+ * sqrt(5) L_0.
+ *
+ * Accuracy:  |error| <= 1e-6 L_0 / s, s as of gaunt_zh3_solve().
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_zh3_hallucinate(uint32_t model, uint32_t axis_mode, size_t count,
+                                             const gaunt_view* sh2, const gaunt_view* k2);
+
+/**
+ * gaunt_zh3_hallucinate() by a curve of your own, such as gaunt_zh3_fit_curve() finds.
+ *
+ * linear, quadratic  of k2 = L_0 (linear r + quadratic r^2); finite
+ * weights            of the three channels' bands 1 for the axis of GAUNT_ZH3_AXIS_LUMINANCE;
+ *                    finite. NULL: Rec. 709, which is what the functions that take k2 use; others
+ *                    are for shaders that have their own.
+ *
+ * Accuracy:  |error| <= 1e-6 (|linear| + |quadratic|) L_0 / s.
+ * The rest as for gaunt_zh3_hallucinate(), and what is not finite is GAUNT_ERROR_RANGE.
+ */
+GAUNT_API gaunt_status gaunt_zh3_hallucinate_curve(float linear, float quadratic,
+                                                   const float* weights, uint32_t axis_mode,
+                                                   size_t count, const gaunt_view* sh2,
+                                                   const gaunt_view* k2);
+
+/**
+ * Fits the curve of gaunt_zh3_hallucinate_curve() to probes:
+ *   sum over probes and channels of (linear r + quadratic r^2 - k2 / L_0)^2  ->  min,
+ * with the k2 of gaunt_zh3_solve(). Every channel counts alike, however bright. Sums are double,
+ * in the order of the items; the time grows with the count. Channels whose L_0 is not above 0,
+ * without an axis, or with a number that is not finite are left out.
+ *
+ * axis_mode          GAUNT_ZH3_AXIS_*
+ * count              probes, at least 1
+ * sh3                27 planes, radiance
+ * linear, quadratic  the curve
+ *
+ * Accuracy:  the two numbers are correct to 1e-6 where k2 / L_0 and r are.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE: also where no channel can be used, or the
+ * ratios of those that can are the same.
+ */
+GAUNT_API gaunt_status gaunt_zh3_fit_curve(uint32_t axis_mode, size_t count, const gaunt_view* sh3,
+                                           float* linear, float* quadratic);
+
+/**
+ * Writes ZH3 as order 3: bands 0 and 1 copied, band 2 = k2 z_m, as of gaunt_zh3_solve(). Probes
+ * that are far apart blend better so.
+ *
+ * axis_mode  GAUNT_ZH3_AXIS_*
+ * count      probes
+ * sh2        12 planes, radiance
+ * k2         3 planes
+ * sh3        27 planes
+ *
+ * Accuracy:  |error| <= 1e-6 |k2| / s in band 2, s as of gaunt_zh3_solve().
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_zh3_expand(uint32_t axis_mode, size_t count, const gaunt_view* sh2,
+                                        const gaunt_view* k2, const gaunt_view* sh3);
+
+/**
+ * Evaluates the irradiance of ZH3, as E/pi:
+ *   out(i, c) = sum over i < 4 of (A_l / pi) L_i y_i(n) + k2/4 sqrt(5/(16 pi)) (3 dot(a, n)^2 - 1)
+ * It may be negative, as that of any order: for strong light, opposite to it, down to -0.16 of its
+ * mean, where order 2 alone reaches -1. Clamp what must not be.
+ *
+ * axis_mode  GAUNT_ZH3_AXIS_*
+ * count      pairs of a probe and a normal; broadcast either for one with many
+ * sh2        12 planes, radiance
+ * k2         3 planes
+ * normals    3 planes, unit vectors
+ * out        3 planes
+ *
+ * Accuracy:  |error| <= 1e-6 |L| + 1e-6 |k2| / s, with |L| the norm of the channel's order 2, s as
+ *            of gaunt_zh3_solve().
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_zh3_irradiance(uint32_t axis_mode, size_t count, const gaunt_view* sh2,
+                                            const gaunt_view* k2, const gaunt_view* normals,
+                                            const gaunt_view* out);
+
+/**
+ * Evaluates the irradiance of order 2 by Geomerics' non-linear lobe, as E/pi, per channel:
+ *   out = R0 (b + (1 - b)(p + 1) q^p),   b = (1 - s) / (1 + s),  p = 1 + 2 s,
+ *   R0 = L_0 y_0 the mean radiance,  s = |band 1| / (sqrt(3) L_0) up to 1,
+ *   q = (1 + dot(n, a)) / 2,  a the axis of the channel's band 1
+ * It has the right mean, is right at its peak and opposite to it for one directional light, and is
+ * never negative. Copies that feed it coefficients as if R1 were 0.5 band 1 and R0 L_0, which is
+ * another scale, are 12.8 % too bright: uniform radiance 1 gives 1 here.
+ *
+ * count    pairs of a probe and a normal; broadcast either for one with many
+ * sh2      12 planes, radiance
+ * normals  3 planes, unit vectors
+ * out      3 planes, at least 0
+ *
+ * Where L_0 is not above 0, the result is 0; a band 1 that is zero or not finite is ambient light.
+ *
+ * Accuracy:  |error| <= 1e-6 L_0.
+ * Overlap:   none.
+ * Source:    Hazel, "Reconstructing diffuse lighting from spherical harmonic data", 2017.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_geomerics_irradiance(size_t count, const gaunt_view* sh2,
+                                                  const gaunt_view* normals,
+                                                  const gaunt_view* out);
+
 /* ---- probe ----------------------------------------------------------------------------------- */
 
 /**

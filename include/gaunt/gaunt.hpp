@@ -290,6 +290,67 @@ inline void LightExtract(uint32_t n, uint32_t channels, uint32_t lights, uint32_
                                     colours.get(), ambient.get()));
 }
 
+inline void Zh3Solve(uint32_t axis_mode, size_t count, const InView& sh3, const OutView& k2) {
+  detail::Check("gaunt_zh3_solve",
+                gaunt_zh3_solve(axis_mode, count, sh3.get(), k2.get(), nullptr));
+}
+
+inline void Zh3Solve(uint32_t axis_mode, size_t count, const InView& sh3, const OutView& k2,
+                     const OutView& axis) {
+  detail::Check("gaunt_zh3_solve",
+                gaunt_zh3_solve(axis_mode, count, sh3.get(), k2.get(), axis.get()));
+}
+
+inline void Zh3Refit(uint32_t axis_mode, size_t count, const InView& sh3, const OutView& sh2,
+                     const OutView& k2) {
+  detail::Check("gaunt_zh3_refit",
+                gaunt_zh3_refit(axis_mode, count, sh3.get(), sh2.get(), k2.get()));
+}
+
+inline void Zh3Hallucinate(uint32_t model, uint32_t axis_mode, size_t count, const InView& sh2,
+                           const OutView& k2) {
+  detail::Check("gaunt_zh3_hallucinate",
+                gaunt_zh3_hallucinate(model, axis_mode, count, sh2.get(), k2.get()));
+}
+
+// k2 = L_0 (linear r + quadratic r^2)
+struct Zh3Curve {
+  float linear;
+  float quadratic;
+};
+
+inline void Zh3HallucinateCurve(const Zh3Curve& curve, const float* weights, uint32_t axis_mode,
+                                size_t count, const InView& sh2, const OutView& k2) {
+  detail::Check("gaunt_zh3_hallucinate_curve",
+                gaunt_zh3_hallucinate_curve(curve.linear, curve.quadratic, weights, axis_mode,
+                                            count, sh2.get(), k2.get()));
+}
+
+inline Zh3Curve Zh3FitCurve(uint32_t axis_mode, size_t count, const InView& sh3) {
+  Zh3Curve curve;
+  detail::Check("gaunt_zh3_fit_curve", gaunt_zh3_fit_curve(axis_mode, count, sh3.get(),
+                                                           &curve.linear, &curve.quadratic));
+  return curve;
+}
+
+inline void Zh3Expand(uint32_t axis_mode, size_t count, const InView& sh2, const InView& k2,
+                      const OutView& sh3) {
+  detail::Check("gaunt_zh3_expand",
+                gaunt_zh3_expand(axis_mode, count, sh2.get(), k2.get(), sh3.get()));
+}
+
+inline void Zh3Irradiance(uint32_t axis_mode, size_t count, const InView& sh2, const InView& k2,
+                          const InView& normals, const OutView& out) {
+  detail::Check("gaunt_zh3_irradiance", gaunt_zh3_irradiance(axis_mode, count, sh2.get(), k2.get(),
+                                                             normals.get(), out.get()));
+}
+
+inline void GeomericsIrradiance(size_t count, const InView& sh2, const InView& normals,
+                                const OutView& out) {
+  detail::Check("gaunt_geomerics_irradiance",
+                gaunt_geomerics_irradiance(count, sh2.get(), normals.get(), out.get()));
+}
+
 inline gaunt_format_properties FormatInfo(uint32_t format) {
   gaunt_format_properties properties = {sizeof(properties), 0, 0, 0};
   detail::Check("gaunt_format_info", gaunt_format_info(format, &properties));

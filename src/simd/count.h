@@ -54,6 +54,8 @@ inline Counted Neg(Counted) { return {}; }
 inline Counted Abs(Counted) { return {}; }
 inline Counted And(Counted, Counted) { return {}; }
 inline Counted TwiceReciprocalOfPower(Counted) { return {}; }
+inline Counted Exponent(Counted) { return {}; }
+inline Counted TimesPowerOfTwo(Counted, Counted) { return {}; }
 inline Counted Min(Counted, Counted) { return {}; }
 inline Counted Max(Counted, Counted) { return {}; }
 inline CountedMask Lt(Counted, Counted) { return {}; }
