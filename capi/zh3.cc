@@ -53,8 +53,7 @@ gaunt_status gaunt_zh3_hallucinate(uint32_t model, uint32_t axis_mode, size_t co
                                    const gaunt_view* sh2, const gaunt_view* k2) {
   GAUNT_REQUIRE(InRange(model, GAUNT_ZH3_MODEL_AMBIENT_DIRECTIONAL, GAUNT_ZH3_MODEL_CURVE),
                 GAUNT_ERROR_RANGE);
-  const gaunt::zh3::Curve& curve =
-      gaunt::zh3::kModels[model - GAUNT_ZH3_MODEL_AMBIENT_DIRECTIONAL];
+  const gaunt::zh3::Curve& curve = gaunt::zh3::kModels[model - GAUNT_ZH3_MODEL_AMBIENT_DIRECTIONAL];
   return gaunt_zh3_hallucinate_curve(static_cast<float>(curve.linear),
                                      static_cast<float>(curve.quadratic), nullptr, axis_mode, count,
                                      sh2, k2);
@@ -69,8 +68,8 @@ gaunt_status gaunt_zh3_hallucinate_curve(float linear, float quadratic, const fl
   for (int c = 0; c < 3; ++c) GAUNT_REQUIRE(std::isfinite(weights[c]), GAUNT_ERROR_RANGE);
   GAUNT_CHECK(MemoryCheck(count).In(sh2, 12).Out(k2, 3).status());
   if (count == 0) return GAUNT_OK;
-  gaunt::zh3::Kernels().hallucinate[ModeOf(axis_mode)](
-      linear, quadratic, weights, count, InputOf(*sh2, count), OutputOf(*k2, count));
+  gaunt::zh3::Kernels().hallucinate[ModeOf(axis_mode)](linear, quadratic, weights, count,
+                                                       InputOf(*sh2, count), OutputOf(*k2, count));
   return GAUNT_OK;
 }
 
@@ -81,9 +80,9 @@ gaunt_status gaunt_zh3_fit_curve(uint32_t axis_mode, size_t count, const gaunt_v
   GAUNT_CHECK(MemoryCheck(count).In(sh3, 27).status());
   GAUNT_REQUIRE(count != 0, GAUNT_ERROR_RANGE);
   double fitted[2];
-  GAUNT_REQUIRE(gaunt::zh3::FitCurve(ModeOf(axis_mode), count, InputOf(*sh3, count), &fitted[0],
-                                     &fitted[1]),
-                GAUNT_ERROR_RANGE);
+  GAUNT_REQUIRE(
+      gaunt::zh3::FitCurve(ModeOf(axis_mode), count, InputOf(*sh3, count), &fitted[0], &fitted[1]),
+      GAUNT_ERROR_RANGE);
   const float rounded[2] = {static_cast<float>(fitted[0]), static_cast<float>(fitted[1])};
   GAUNT_REQUIRE(std::isfinite(rounded[0]) && std::isfinite(rounded[1]), GAUNT_ERROR_RANGE);
   *linear = rounded[0];

@@ -586,8 +586,7 @@ GAUNT_API gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t
  *
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE.
  */
-GAUNT_API gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matrices,
-                                            float* worst);
+GAUNT_API gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matrices, float* worst);
 
 /* ---- zonal ----------------------------------------------------------------------------------- */
 
@@ -621,8 +620,8 @@ GAUNT_API gaunt_status gaunt_zonal_rotate(uint32_t n, uint32_t channels, size_t 
  * Accuracy:  as gaunt_zonal_rotate(), and 6e-8 of the sum.
  */
 GAUNT_API gaunt_status gaunt_zonal_rotate_add(uint32_t n, uint32_t channels, size_t count,
-                                              const gaunt_view* zonal,
-                                              const gaunt_view* directions, const gaunt_view* out);
+                                              const gaunt_view* zonal, const gaunt_view* directions,
+                                              const gaunt_view* out);
 
 /**
  * Convolves functions with kernels that are symmetric about an axis:
@@ -1097,8 +1096,7 @@ GAUNT_API gaunt_status gaunt_zh3_irradiance(uint32_t axis_mode, size_t count, co
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE, _OVERLAP.
  */
 GAUNT_API gaunt_status gaunt_geomerics_irradiance(size_t count, const gaunt_view* sh2,
-                                                  const gaunt_view* normals,
-                                                  const gaunt_view* out);
+                                                  const gaunt_view* normals, const gaunt_view* out);
 
 /* ---- probe ----------------------------------------------------------------------------------- */
 

@@ -291,8 +291,7 @@ inline void LightExtract(uint32_t n, uint32_t channels, uint32_t lights, uint32_
 }
 
 inline void Zh3Solve(uint32_t axis_mode, size_t count, const InView& sh3, const OutView& k2) {
-  detail::Check("gaunt_zh3_solve",
-                gaunt_zh3_solve(axis_mode, count, sh3.get(), k2.get(), nullptr));
+  detail::Check("gaunt_zh3_solve", gaunt_zh3_solve(axis_mode, count, sh3.get(), k2.get(), nullptr));
 }
 
 inline void Zh3Solve(uint32_t axis_mode, size_t count, const InView& sh3, const OutView& k2,
@@ -328,8 +327,8 @@ inline void Zh3HallucinateCurve(const Zh3Curve& curve, const float* weights, uin
 
 inline Zh3Curve Zh3FitCurve(uint32_t axis_mode, size_t count, const InView& sh3) {
   Zh3Curve curve;
-  detail::Check("gaunt_zh3_fit_curve", gaunt_zh3_fit_curve(axis_mode, count, sh3.get(),
-                                                           &curve.linear, &curve.quadratic));
+  detail::Check("gaunt_zh3_fit_curve",
+                gaunt_zh3_fit_curve(axis_mode, count, sh3.get(), &curve.linear, &curve.quadratic));
   return curve;
 }
 

@@ -46,6 +46,8 @@ inline constexpr double kLeastAlong = 0x1p-10;
 // The six axes of an icosahedron, from which the refit climbs. (0, 1, g), (1, g, 0), (g, 0, 1) and
 // their mirror images, g the golden ratio, normalised.
 inline constexpr int kStarts = 6;
+inline constexpr int kFirstSteps = 4,
+                     kLastSteps = 8;  // of Newton's method, from each and from the best
 inline constexpr double kShort = ConstexprSqrt((5.0 - ConstexprSqrt(5.0)) / 10.0);
 inline constexpr double kLong = ConstexprSqrt((5.0 + ConstexprSqrt(5.0)) / 10.0);
 inline constexpr float kStart[kStarts][3] = {

@@ -390,11 +390,10 @@ struct Climb {
 template <int channels>
 struct RefitAxis {
   static constexpr bool kShared = channels > 1;
-  static constexpr double kNorm2 =
-      kShared ? light::kLuminance[0] * light::kLuminance[0] +
-                    light::kLuminance[1] * light::kLuminance[1] +
-                    light::kLuminance[2] * light::kLuminance[2]
-              : 1.0;
+  static constexpr double kNorm2 = kShared ? light::kLuminance[0] * light::kLuminance[0] +
+                                                 light::kLuminance[1] * light::kLuminance[1] +
+                                                 light::kLuminance[2] * light::kLuminance[2]
+                                           : 1.0;
   static constexpr double kNorm = ConstexprSqrt(kNorm2);
   static constexpr double Weight(size_t c) { return kShared ? light::kLuminance[c] : 1.0; }
 
@@ -437,15 +436,16 @@ struct RefitAxis {
     V y = IfThenElse(down, Neg(start(1)), start(1));
     V z = Abs(start(2));
     V gain = Climb<channels>::Gain(k, problem, x, y, z);
-    constexpr int kSteps = 4;
     for (int i = 0; i <= kStarts; ++i) {
       V nx = x, ny = y, nz = z;
+      int steps = kLastSteps;
       if (i < kStarts) {
+        steps = kFirstSteps;
         nx = k(static_cast<double>(kStart[i][0]));
         ny = k(static_cast<double>(kStart[i][1]));
         nz = k(static_cast<double>(kStart[i][2]));
       }
-      const V reached = Climb<channels>::Run(k, problem, kSteps, nx, ny, nz);
+      const V reached = Climb<channels>::Run(k, problem, steps, nx, ny, nz);
       const auto better = Gt(reached, gain);
       x = IfThenElse(better, nx, x);
       y = IfThenElse(better, ny, y);

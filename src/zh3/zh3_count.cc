@@ -35,8 +35,8 @@ void AppendOperations(OperationRows& rows) {
   const CountPlanes planes;
   Append<true>(rows);
   Append<false>(rows);
-  rows.push_back(
-      {"geomerics_irradiance", "2", "rgb", CountKernel(kernels::Geomerics(), planes, planes, planes)});
+  rows.push_back({"geomerics_irradiance", "2", "rgb",
+                  CountKernel(kernels::Geomerics(), planes, planes, planes)});
   rows.push_back({"geomerics_irradiance_one_probe", "2", "rgb",
                   CountKernel(kernels::EvaluateLobe(), planes, planes, planes)});
 }

@@ -203,7 +203,7 @@ double RefitReference(bool shared, const double* sh3, double* sh2, double* k2) {
       double n[3];
     };
     std::vector<Candidate> candidates;
-    constexpr int kPoints = 1500;  // of a spiral over the upper half
+    constexpr int kPoints = 600;  // of a spiral over the upper half
     for (int i = 0; i < kPoints; ++i) {
       Candidate candidate;
       const double z = (i + 0.5) / kPoints, turn = i * kPi * (3.0 - std::sqrt(5.0));
@@ -213,13 +213,13 @@ double RefitReference(bool shared, const double* sh3, double* sh2, double* k2) {
       candidate.error = problem.Error(candidate.n);
       candidates.push_back(candidate);
     }
-    constexpr int kBest = 20;
+    constexpr int kBest = 8;
     std::partial_sort(candidates.begin(), candidates.begin() + kBest, candidates.end(),
                       [](const Candidate& a, const Candidate& b) { return a.error < b.error; });
     Candidate best = candidates[0];
     for (int i = 0; i < kBest; ++i) {
       Candidate here = candidates[static_cast<size_t>(i)];
-      for (double step = 0.05; step > 1e-9;) {  // along the axes of space
+      for (double step = 0.06; step > 1e-7;) {  // along the axes of space
         bool better = false;
         for (int direction = 0; direction < 6; ++direction) {
           Candidate next = here;
