@@ -328,8 +328,8 @@ Floats Grey(const Floats& channel) {
 
 // Bands 0 and 1.
 Floats Order2(const Floats& sh3) {
-  Floats f;
-  for (int c = 0; c < 3; ++c) f.insert(f.end(), &sh3[9 * c], &sh3[9 * c] + 4);
+  Floats f(12);
+  for (size_t c = 0; c < 3; ++c) std::copy_n(&sh3[9 * c], 4, &f[4 * c]);
   return f;
 }
 

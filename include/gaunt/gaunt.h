@@ -586,7 +586,8 @@ GAUNT_API gaunt_status gaunt_rotate_matrix(uint32_t n, uint32_t channels, size_t
  *
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE.
  */
-GAUNT_API gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matrices, float* worst);
+GAUNT_API gaunt_status gaunt_rotation_check(size_t count, const gaunt_view* matrices,
+                                            float* worst);
 
 /* ---- zonal ----------------------------------------------------------------------------------- */
 
@@ -620,8 +621,8 @@ GAUNT_API gaunt_status gaunt_zonal_rotate(uint32_t n, uint32_t channels, size_t 
  * Accuracy:  as gaunt_zonal_rotate(), and 6e-8 of the sum.
  */
 GAUNT_API gaunt_status gaunt_zonal_rotate_add(uint32_t n, uint32_t channels, size_t count,
-                                              const gaunt_view* zonal, const gaunt_view* directions,
-                                              const gaunt_view* out);
+                                              const gaunt_view* zonal,
+                                              const gaunt_view* directions, const gaunt_view* out);
 
 /**
  * Convolves functions with kernels that are symmetric about an axis:
