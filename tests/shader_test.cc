@@ -352,6 +352,22 @@ TEST_P(Shader, Zh3AsTheLibrary) {
   for (size_t i = 0; i < kCount; i += 8) {
     for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(got[i].axis[k], library[i].axis[k], 1e-5) << i;
   }
+
+  // And so are its k2 and E/pi, everywhere.
+  const gaunt_view k2 = View(in, &Zh3In::k2);
+  const gaunt_view out[] = {View(library, &Zh3Out::k2), View(library, &Zh3Out::k2_axes),
+                            View(library, &Zh3Out::irradiance),
+                            View(library, &Zh3Out::irradiance_axes)};
+  for (size_t each = 0; each < 2; ++each) {
+    const uint32_t mode = each == 0 ? GAUNT_ZH3_AXIS_LUMINANCE : GAUNT_ZH3_AXIS_CHANNEL;
+    ASSERT_EQ(gaunt_zh3_hallucinate(GAUNT_ZH3_MODEL_CURVE, mode, kCount, &sh2, &out[each]),
+              GAUNT_OK);
+    ASSERT_EQ(gaunt_zh3_irradiance(mode, kCount, &sh2, &k2, &normals, &out[2 + each]), GAUNT_OK);
+  }
+  ExpectClose("zh3_hallucinate", got, library, &Zh3Out::k2, norm);
+  ExpectClose("zh3_hallucinate_axes", got, library, &Zh3Out::k2_axes, norm);
+  ExpectClose("zh3_irradiance", got, library, &Zh3Out::irradiance, norm_3);
+  ExpectClose("zh3_irradiance_axes", got, library, &Zh3Out::irradiance_axes, norm_3);
 }
 
 // ---- packed probes -----------------------------------------------------------------------------

@@ -146,7 +146,7 @@ Operation CurveOperation(uint32_t mode) {
   operation.tolerance = [=](const Operation::Item& in, const Operation::Item&, size_t,
                             size_t plane) {
     const double s = Agreement(mode, in[0], {0.5, 0.25, 1.0});
-    return 8e-7 * (0.375 + 0.5) * in[0][4 * plane] / s;
+    return 2e-6 * (0.375 + 0.5) * in[0][4 * plane] / s;
   };
   return operation;
 }

@@ -942,8 +942,8 @@ enum {
  * k2         3 planes. With bands 0 and 1, which stay as they are, it is the probe.
  * axis       3 planes, or 9 of GAUNT_ZH3_AXIS_CHANNEL; NULL if it is not wanted
  *
- * Accuracy:  k2 within 1e-6 |L_2| / s, with s = |sum of weighted bands 1| / sum of |weighted bands
- *            1|, which is 1 for GAUNT_ZH3_AXIS_CHANNEL; the axis within 4e-7 / s.
+ * Accuracy:  k2 within 6e-7 |L_2| / s and the axis within 2e-7 / s, with s = |sum of weighted bands
+ *            1| / sum of |weighted bands 1|, which is 1 for GAUNT_ZH3_AXIS_CHANNEL.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -958,8 +958,9 @@ GAUNT_API gaunt_status gaunt_zh3_solve(uint32_t axis_mode, size_t count, const g
  *   L'_1,c = L_1,c - w_c (p - (p a) a) / sum of w^2,   k2_c as of gaunt_zh3_solve(),
  * w the luminance, or 1 for the one channel of an axis; which leaves a search over the sphere, of
  *   (2/3)^2 (p a)^2 / sum of w^2 + (1/4)^2 sum over channels of k2_c(a)^2  ->  max.
- * Newton's method climbs from the axis that there is and from six more. Luminance along a is kept
- * at 0.001 of the largest coefficient, so that the axis of what is stored is a.
+ * Newton's method climbs from six axes all around; the best of these, or the axis that there is if
+ * none is better, goes on. |p a| is kept at 0.001 of the largest coefficient or above, so that the
+ * axis of what is written is a.
  *
  * axis_mode  GAUNT_ZH3_AXIS_*
  * count      probes
@@ -970,9 +971,10 @@ GAUNT_API gaunt_status gaunt_zh3_solve(uint32_t axis_mode, size_t count, const g
  * Where bands 1 and 2 (of all channels, or of the one) are zero or have a number that is not
  * finite, band 1 is copied and k2 is 0.
  *
- * Accuracy:  the error is within 1e-5 of the least there is, and at most 2e-6 above that of
- *            gaunt_zh3_solve(), relative to the sum for L' = 0: no more was found in a million
- *            probes of random coefficients and of lights.
+ * Accuracy:  relative to the sum for L' = 0, the error is at most 1e-6 above that of
+ *            gaunt_zh3_solve(), and within 1e-5 of the least there is. Nothing proves that the
+ *            climbs reach it; in a million probes of random coefficients, and of 2 to 12 lights,
+ *            they did. Coefficients are less exact, where the least is flat: 1e-3 of the norm.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -994,7 +996,7 @@ GAUNT_API gaunt_status gaunt_zh3_refit(uint32_t axis_mode, size_t count, const g
  * Where L_0 is not above 0, the axis is zero or a number is a NaN, k2 is 0; so |k2| is at most
  * sqrt(5) L_0.
  *
- * Accuracy:  |error| <= 1e-6 L_0 / s, s as of gaunt_zh3_solve().
+ * Accuracy:  |error| <= 2e-6 L_0 / s, s as of gaunt_zh3_solve().
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -1009,7 +1011,7 @@ GAUNT_API gaunt_status gaunt_zh3_hallucinate(uint32_t model, uint32_t axis_mode,
  *                    finite. NULL: Rec. 709, which is what the functions that take k2 use; others
  *                    are for shaders that have their own.
  *
- * Accuracy:  |error| <= 1e-6 (|linear| + |quadratic|) L_0 / s.
+ * Accuracy:  |error| <= 2e-6 (|linear| + |quadratic|) L_0 / s.
  * The rest as for gaunt_zh3_hallucinate(), and what is not finite is GAUNT_ERROR_RANGE.
  */
 GAUNT_API gaunt_status gaunt_zh3_hallucinate_curve(float linear, float quadratic,
@@ -1029,7 +1031,8 @@ GAUNT_API gaunt_status gaunt_zh3_hallucinate_curve(float linear, float quadratic
  * sh3                27 planes, radiance
  * linear, quadratic  the curve
  *
- * Accuracy:  the two numbers are correct to 1e-6 where k2 / L_0 and r are.
+ * Accuracy:  |error| <= 1e-6 for ratios that differ.
+ * Overlap:   nothing is written but the two numbers.
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE: also where no channel can be used, or the
  * ratios of those that can are the same.
  */
@@ -1046,7 +1049,7 @@ GAUNT_API gaunt_status gaunt_zh3_fit_curve(uint32_t axis_mode, size_t count, con
  * k2         3 planes
  * sh3        27 planes
  *
- * Accuracy:  |error| <= 1e-6 |k2| / s in band 2, s as of gaunt_zh3_solve().
+ * Accuracy:  |error| <= 5e-7 |k2| / s in band 2, s as of gaunt_zh3_solve().
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -1056,8 +1059,8 @@ GAUNT_API gaunt_status gaunt_zh3_expand(uint32_t axis_mode, size_t count, const 
 /**
  * Evaluates the irradiance of ZH3, as E/pi:
  *   out(i, c) = sum over i < 4 of (A_l / pi) L_i y_i(n) + k2/4 sqrt(5/(16 pi)) (3 dot(a, n)^2 - 1)
- * It may be negative, as that of any order: for strong light, opposite to it, down to -0.16 of its
- * mean, where order 2 alone reaches -1. Clamp what must not be.
+ * It may be negative, as that of any order: opposite to light from one direction -0.16 of the mean,
+ * where order 2 alone has -1. Clamp what must not be.
  *
  * axis_mode  GAUNT_ZH3_AXIS_*
  * count      pairs of a probe and a normal; broadcast either for one with many
@@ -1066,8 +1069,8 @@ GAUNT_API gaunt_status gaunt_zh3_expand(uint32_t axis_mode, size_t count, const 
  * normals    3 planes, unit vectors
  * out        3 planes
  *
- * Accuracy:  |error| <= 1e-6 |L| + 1e-6 |k2| / s, with |L| the norm of the channel's order 2, s as
- *            of gaunt_zh3_solve().
+ * Accuracy:  |error| <= 2e-7 (|L| + |k2| / s), with |L| the norm of the channel's order 2, s as of
+ *            gaunt_zh3_solve().
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -1091,7 +1094,7 @@ GAUNT_API gaunt_status gaunt_zh3_irradiance(uint32_t axis_mode, size_t count, co
  *
  * Where L_0 is not above 0, the result is 0; a band 1 that is zero or not finite is ambient light.
  *
- * Accuracy:  |error| <= 1e-6 L_0.
+ * Accuracy:  |error| <= 7e-7 L_0.
  * Overlap:   none.
  * Source:    Hazel, "Reconstructing diffuse lighting from spherical harmonic data", 2017.
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE, _OVERLAP.

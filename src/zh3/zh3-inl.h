@@ -111,8 +111,8 @@ struct Solve {
   }
 };
 
-// k2 = L_0 (linear r + quadratic r^2), r = |band 1 along the axis| / L_0 up to sqrt(3); 0 where that
-// has no meaning, for numbers that are none too.
+// k2 = L_0 (linear r + quadratic r^2), r = |band 1 along the axis| / L_0 up to sqrt(3). 0 where that
+// has no meaning, NaNs included.
 template <bool shared>
 struct Hallucinate {
   const float* weights;
@@ -271,8 +271,8 @@ struct Geomerics {
 // The refit turns the axis to the n that leaves the least error of irradiance. For a given n the
 // best band 1 and k2 are known, and what is left to do is to maximise the gain
 //   (p n)^2 + sum over channels of (n Q n)^2,
-// with p the weighted sum of bands 1 and Q band 2 as a quadratic form, both scaled. It is even in n,
-// so n stays in the upper half. Slots: p, then of each channel the xx, yy, xy, yz, xz of Q.
+// with p the weighted sum of bands 1 and Q band 2 as a quadratic form, both scaled. It is even in
+// n, which stays in the upper half. Slots: p, then of each channel the xx, yy, xy, yz, xz of Q.
 template <int channels>
 inline constexpr int kProblemPlanes = 3 + 5 * channels;
 
