@@ -111,8 +111,8 @@ struct Solve {
   }
 };
 
-// k2 = L_0 (linear r + quadratic r^2), r = |band 1 along the axis| / L_0 up to sqrt(3). 0 where that
-// has no meaning, NaNs included.
+// k2 = L_0 (linear r + quadratic r^2), r = |band 1 along the axis| / L_0 up to sqrt(3); 0 where
+// that has no meaning, NaNs included.
 template <bool shared>
 struct Hallucinate {
   const float* weights;
