@@ -231,7 +231,7 @@ struct Blend {
   GAUNT_LANES void operator()(const K& k, const ItemCursor<Source>& items, const Out& out) const {
     typename K::template Slots<kPlanes<F>> sums;
     GroupTaps<F::kBytes> group;
-    const auto fetch = [&](size_t tap) {
+    const auto fetch = [&](size_t tap) HWY_ATTR {
       group.count = std::min(group.kMost, taps - tap);
       group.Fetch(*items.source, items.item, items.end - items.item, tap);
     };
