@@ -206,7 +206,7 @@ TEST(Stack, IsWhatTheManualPromises) {
   pthread_attr_t attributes;
   ASSERT_EQ(pthread_attr_init(&attributes), 0);
   // What the test and the C library need comes on top; some systems want more in any case.
-  constexpr size_t kPromised = 64 << 10, kOwn = 4 << 10;
+  constexpr size_t kPromised = 84 << 10, kOwn = 4 << 10;
   const size_t least = static_cast<size_t>(sysconf(_SC_THREAD_STACK_MIN));
   ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::max(kPromised + kOwn, least)), 0);
   for (const std::string& target : SupportedTargets()) {

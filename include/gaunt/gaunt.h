@@ -23,7 +23,7 @@
  *
  * ALL FUNCTIONS
  *   return GAUNT_OK or a negative status, and write nothing when they fail. They allocate nothing,
- *   take less than 64 KiB of stack, keep no state but the chosen SIMD target, and may be called
+ *   take less than 84 KiB of stack, keep no state but the chosen SIMD target, and may be called
  *   from any thread. Arguments are checked in constant time: null pointers, orders, layouts,
  *   ranges, overlap. With count 0 the views may be NULL. A NaN or an infinity makes the outputs of
  *   its own item unspecified, never a neighbour's, unless the entry says what it does with them.

@@ -56,6 +56,11 @@ class ZonalFactor {
     if constexpr (n < kMaxOrder) {
       if (orders_.a > n) return RunOrder<n + 1>(zonal, run);
     }
+    RunKernel<n>(zonal, run);
+  }
+  // Apart, so that the stack has the tiles of one order only.
+  template <int n, class Run>
+  HWY_NOINLINE void RunKernel(In<kMaxOrder>& zonal, const Run& run) const {
     if constexpr (n > kMaxUnrolledOrder && n <= kMaxZonalOrder) {
       if (IsSquare()) return run(MultiplyByZonal<n>{1}, zonal);
     }
