@@ -663,7 +663,7 @@ GAUNT_API gaunt_status gaunt_zonal_convolve(uint32_t n, uint32_t channels, size_
  * a and b may be the same view; gaunt_product_square() is the faster for it.
  *
  * Speed: equal orders up to 8 have kernels of their own, and so have 6x6 to 3 and to 4, 2x6 and 3x6
- * to 6, either way round. All others take some three times as long as equal orders of the largest:
+ * to 6, either way round. All others take 2.5 to 7 times as long as equal orders of the largest:
  * where that matters, fill up with bands of 0.
  *
  * Accuracy:  |error| <= 4e-7 |a| |b| up to order 6, and 6e-7 |a| |b| above, with |a| and |b| the
@@ -797,7 +797,7 @@ GAUNT_API gaunt_status gaunt_product_cosine_axis(uint32_t n, uint32_t channels, 
  * Prepares products of one function with many: writes bytes with which gaunt_product_apply()
  * multiplies by f. Of equal orders it takes about as long as gaunt_product() of a broadcast f up to
  * order 4, and 0.3 to 0.8 times as long above, with AVX2; of mixed orders less time where
- * gaunt_product() has no kernel of their own, and more for 2x6 and 3x6 to 6.
+ * gaunt_product() has no kernel of their own, and more for 2x6 and 3x6 to 6 and for 1 x n to 1.
  *
  * The bytes are the same on every SIMD target. They hold no pointers, need no alignment, and may be
  * copied, or saved to a file for machines of the same byte order.
@@ -1234,7 +1234,7 @@ GAUNT_API gaunt_status gaunt_probe_decode(uint32_t format, size_t count, const v
  * taps          probes per item, 1 .. 65536
  * indices       count * taps. One that is not below packed_count, such as GAUNT_NO_PROBE,
  *               contributes nothing, whatever its weight.
- * weights       count * taps. They are not renormalised.
+ * weights       count * taps, up to 4e9. They are not renormalised.
  * packed        packed_count records, `stride` bytes apart; may be NULL if packed_count is 0
  * out           channels of the format * n_out^2 planes: radiance
  *

@@ -12,7 +12,6 @@
 namespace gaunt::probe {
 
 inline constexpr size_t kChannels = 3;
-inline constexpr size_t kMaxOrder = 5;
 
 // Largest |f_i| / f_0 of any non-negative light: max |y_i| / y_0, of bands 0 to 2 and 4.
 constexpr double Bound(size_t i) {

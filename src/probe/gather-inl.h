@@ -224,6 +224,8 @@ ItemSide<Source>& AsSide(ItemSide<Source>& side) {
 // The first `size` coefficients of sums of weighted records.
 template <class Format, class F>
 struct Blend {
+  static_assert(F::kBytes <= sizeof(kNoRecord), "no record has to be as long as any");
+
   size_t taps;
   size_t size;
 
