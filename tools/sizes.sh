@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # sizes.sh LIBRARY [FAMILY LIMIT]: prints KB of machine code by family and SIMD target of a static
-# library. With a family and a limit in KB, fails if a target has more of that family.
+# library. With a family and a limit in KB, fails if a target that is not emulated has more of it.
 set -euo pipefail
 [ $# -eq 1 ] || [ $# -eq 3 ] || { sed -n '3,4s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 [ -f "$1" ] || { echo "sizes.sh: cannot read $1" >&2; exit 2; }
@@ -27,7 +27,7 @@ nm --print-size --defined-only --demangle --radix=d "$1" 2>/dev/null | awk -v ch
     if (checked == "") exit 0
     if (!(checked in families)) { print "sizes.sh: no family " checked > "/dev/stderr"; exit 1 }
     for (target in targets) {
-      if (size[checked, target] <= limit * 1024) continue
+      if (target == "EMU128" || size[checked, target] <= limit * 1024) continue
       printf "sizes.sh: %s on %s has more than %d KB\n", checked, target, limit > "/dev/stderr"
       bad = 1
     }
