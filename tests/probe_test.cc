@@ -18,7 +18,7 @@
 namespace gaunt::test {
 namespace {
 
-constexpr uint32_t kFormats = 11;
+constexpr uint32_t kFormats = 17;
 
 struct Format {
   uint32_t id;
@@ -138,9 +138,9 @@ TEST_P(Probe, DecodesAnyBytesToFiniteValues) {
       const auto wanted = probe::ReadReference(format.id, packed.data() + i * format.bytes);
       for (size_t p = 0; p < format.planes; ++p) {
         const size_t mean = p / (format.planes / 3) * (format.planes / 3);
-        ASSERT_NEAR(
-            out.Get(i, p), wanted[p].value,
-            2.5e-7 * std::max(std::abs(wanted[p].value), 8.0 * std::abs(wanted[mean].value)));
+        double scale = std::max(std::abs(wanted[p].value), 8.0 * std::abs(wanted[mean].value));
+        if (wanted[p].step == 0.0) scale = std::max(scale, wanted[p].most);  // of all channels
+        ASSERT_NEAR(out.Get(i, p), wanted[p].value, 2.5e-7 * scale);
       }
     }
   }
@@ -152,7 +152,19 @@ void ExpectNearest(const Format& format, const float* f, const uint8_t* record) 
   const size_t size = format.planes / 3;
   double largest = 0.0;  // of RGB9E5, whose channels share a step
   for (size_t p = 0; p < have.size(); p += size) largest = std::max(largest, have[p].step);
-  for (size_t p = 0; p < have.size(); ++p) {
+  const std::vector<probe::Written> written = probe::WrittenReference(format.id, f, record);
+  for (size_t k = 0; k < written.size(); ++k) {
+    const auto error = [&](int number) {
+      const double code = written[k].squared ? number * std::abs(number) : number;
+      return std::abs(code - written[k].wanted);
+    };
+    const int number = written[k].number;
+    const double rounding = 2e-4 + 1e-6 * std::abs(written[k].wanted);
+    ASSERT_LE(std::abs(number), written[k].largest) << "number " << k;
+    ASSERT_LE(error(number), error(number + 1) + rounding) << "number " << k;
+    ASSERT_LE(error(number), error(number - 1) + rounding) << "number " << k;
+  }
+  for (size_t p = 0; p < have.size(); p += written.empty() ? 1 : size) {
     double wanted = std::isnan(f[p]) ? 0.0 : double{f[p]};
     wanted = std::max(have[p].least, std::min(wanted, have[p].most));
     const double rounding = 3e-7 * std::abs(have[p].value);  // of units, means and ratios in float
@@ -350,7 +362,7 @@ TEST_P(Probe, RejectsWrongArguments) {
   EXPECT_EQ(gaunt_probe_encode(kFormat, 8, v, packed, 28, v), GAUNT_ERROR_OVERLAP);
   EXPECT_EQ(gaunt_probe_encode(kFormat, 8, v, packed, SIZE_MAX / 2, nullptr), GAUNT_ERROR_RANGE);
 
-  EXPECT_EQ(gaunt_probe_decode(12, 8, packed, 28, v), GAUNT_ERROR_FORMAT);
+  EXPECT_EQ(gaunt_probe_decode(kFormats + 1, 8, packed, 28, v), GAUNT_ERROR_FORMAT);
   EXPECT_EQ(gaunt_probe_decode(kFormat, 0, nullptr, 28, nullptr), GAUNT_OK);
   EXPECT_EQ(gaunt_probe_decode(kFormat, 8, packed, 0, v), GAUNT_ERROR_RANGE);
   EXPECT_EQ(gaunt_probe_decode(kFormat, 8, nullptr, 28, v), GAUNT_ERROR_NULL);

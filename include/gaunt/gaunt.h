@@ -1155,7 +1155,46 @@ enum {
   /** Order 1: RGB9E5 of L_0. */
   GAUNT_FORMAT_RGB9E5 = 10,
   /** Order 1: R11G11B10F of L_0. */
-  GAUNT_FORMAT_R11G11B10F = 11
+  GAUNT_FORMAT_R11G11B10F = 11,
+  /**
+   * Order 3, of ratios that the channels share: RGB9E5 of L_0; snorm8 v_i of i = 1..8, of which each
+   * channel has L_i = L_0 bound_i v_i.
+   */
+  GAUNT_FORMAT_SH3_LUMA_12 = 12,
+  /**
+   * Order 3, of ratios that the channels share and of their colours, orange o and green g:
+   *   L_ci = bound_i (L_c0 v_i + m e_c),  e = (o - g, g, -o - g) of R, G, B,
+   *   m = (R + 2 G + B) / 4 of the three L_0.
+   * v = q / s of a signed integer of some bits, of which s is the largest and -s the least that is
+   * written; o and g = k q |q| / s^2, with k = 1/2 for i = 1..3 and 0.35 for i = 4..8. RGB9E5 of L_0
+   * in bits 0-31; then, each from the bit named up,
+   *   v: 7 bits of i = 1..3 from 32, 64, 96; 6 bits of i = 4..8 from 49, 58, 81, 90, 113
+   *   o: 5 bits of i = 1..3 from 39, 71, 103; 3 bits of i = 4..8 from 55, 119, 87, 122, 125
+   *   g: 5 bits of i = 1..3 from 44, 76, 108; 0 for i = 4..8
+   */
+  GAUNT_FORMAT_SH3_CHROMA_16 = 13,
+  /**
+   * The same of more bits:
+   *   v: 8 bits of i = 1..3 from 32, 40, 48; 7 bits of i = 4..8 from 56, 64, 71, 96, 103
+   *   o: 6 bits of i = 1..3 from 78, 90, 116; 4 bits of i = 4..8 from 128, 136, 144, 152, 160
+   *   g: 6 bits of i = 1..3 from 84, 110, 122; 4 bits of i = 4..8 from 132, 140, 148, 156, 164
+   * Bit 63 is 0.
+   */
+  GAUNT_FORMAT_SH3_CHROMA_21 = 14,
+  /**
+   * Order 3 of ZH3 (see gaunt_zh3_solve()): GAUNT_FORMAT_SH2_13; snorm8 of k2 / (sqrt(5) L_0) of R, G,
+   * B. Band 2 is k2 times the zonal function of norm 1 about the luminance axis of band 1, and 0 if
+   * that is 0. gaunt_zh3_refit() first makes encoding more accurate.
+   */
+  GAUNT_FORMAT_ZH3_16 = 15,
+  /** Order 3 of ZH3, of ratios that the channels share: RGB9E5 of L_0; snorm8 of i = 1..3; snorm8 of k2. */
+  GAUNT_FORMAT_ZH3_LUMA_8 = 16,
+  /**
+   * Order 2, the directional lightmaps of Godot, which keep E/pi as l0 (1 + 8 (t - 1/2) . n): RGBA of
+   * half floats of l0, of t for y, for z and for x, its four layers one after the other. A is written
+   * as 1. The range of t is twice the bound.
+   */
+  GAUNT_FORMAT_GODOT_L1_32 = 17
 };
 
 typedef struct gaunt_format_properties {
@@ -1192,9 +1231,13 @@ enum {
  * stride  bytes from record to record, at least the size of one; bytes between records stay
  * report  GAUNT_REPORT_PLANES planes, or NULL
  *
- * A NaN becomes 0, an infinity the largest that there is, and a negative mean 0, except in GAUNT_FORMAT_SH3_F16 and _F32; means end
- * at what the container holds (RGB9E5 65408, half 65504, R11G11B10F 65024 of R and G and 64512 of
- * B), of L_0 or, in Unity's formats, of L_0 / sqrt(4 pi). A channel whose mean is 0 becomes black.
+ * A NaN becomes 0, an infinity the largest that there is, and a negative mean 0, except in
+ * GAUNT_FORMAT_SH3_F16 and _F32; means end at what the container holds (RGB9E5 65408, half 65504,
+ * R11G11B10F 65024 of R and G and 64512 of B), of L_0 or, in Unity's and Godot's formats, of
+ * L_0 / sqrt(4 pi). A channel whose mean is 0 becomes black, except for the colours of
+ * GAUNT_FORMAT_SH3_CHROMA_*. Where channels share ratios, coefficients are clamped to the bound of
+ * their channel, and those ratios taken that come closest to all of them, after orange; where there is
+ * green, too, (R + 2 G + B) / m. Numbers that follow make up for the rounding of those before.
  *
  * Accuracy:  means within half a unit of the last place of their container, RGB9E5 of that of the
  *            largest channel; ratios within 0.5001 of a step.
@@ -1213,7 +1256,8 @@ GAUNT_API gaunt_status gaunt_probe_encode(uint32_t format, size_t count, const g
  * packed  count records, `stride` bytes apart
  * out     planes of the format
  *
- * Accuracy:  |error| <= 2.4e-7 of the decoded mean times the range of the ratio; floats are exact.
+ * Accuracy:  |error| <= 2.4e-7 of the decoded mean times the range of the ratio, in
+ *            GAUNT_FORMAT_SH3_CHROMA_* of the largest mean; floats are exact.
  * Overlap:   none between packed and out.
  * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */

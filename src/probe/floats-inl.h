@@ -14,6 +14,8 @@ namespace gaunt::probe::HWY_NAMESPACE {
 
 template <class F>
 struct Floats {
+  static constexpr size_t kSums = kPlanes<F>;
+
   template <bool kNew, class K, class Taps, class Sums>
   static GAUNT_LANES void AddTaps(const K& k, const Taps& taps, size_t size, Sums& sums) {
     typename K::template Slots<Taps::kMost> weights;

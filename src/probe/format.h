@@ -75,6 +75,7 @@ struct RatioFormat {
   static constexpr bool Has(size_t) { return true; }
   static constexpr Code CodeOf(size_t, size_t) { return Code::kSnorm8; }
   static constexpr double Range(size_t i) { return Bound(i); }
+  static constexpr int kOpaqueBits[] = {-1};  // half floats that are 1 and not read
 };
 
 struct Sh2At13 : RatioFormat {
@@ -171,6 +172,95 @@ struct UnityAt32 : UnityPolynomial {
   }
 };
 
+// The directional lightmaps of Godot keep E/pi as l0 + 8 (t - 1/2) l0 . n: four texture layers of RGBA
+// half floats, l0 and t for y, z and x. Alpha tells that there is light; the range is twice the bound.
+struct GodotAt32 : RatioFormat {
+  static constexpr size_t kBytes = 32, kOrder = 2;
+  static constexpr Container kContainer = Container::kHalf3;
+  static constexpr double kMeanFactor = 2.0 * ConstexprSqrt(kPi);
+  static constexpr Code CodeOf(size_t, size_t) { return Code::kHalf; }
+  static constexpr int BitOf(size_t c, size_t i) { return static_cast<int>(64 * i + 16 * c); }
+  static constexpr double Range(size_t i) {
+    return (i == 2 ? 2.0 : -2.0) * UnityPolynomial::Range(2);
+  }
+  static constexpr int kOpaqueBits[] = {48, 112, 176, 240};
+};
+
+// Bits of a record with an integer in two's complement that is never the least; none if the width is 0.
+struct BitField {
+  int bit, width;
+  constexpr double Largest() const { return static_cast<double>((1 << (width - 1)) - 1); }
+};
+
+// Formats of ratios v that the channels share and of what is left over along two axes of colour,
+// orange and green:
+//   f_ci = Bound(i) (f_c0 v_i + m e_ci),  e = (o - g, g, -o - g),  m = Luma(f_00, f_10, f_20),
+// with v = q / Largest() and o, g = ColourRange(i) q |q| / Largest()^2. Squares are fine near 0, where
+// most colours are, and reach far.
+struct SharedFormat {
+  static constexpr Container kContainer = Container::kRgb9e5;
+  static constexpr int kContainerBit = 0;
+  static constexpr bool kHasColour = false;
+  static constexpr bool Has(size_t) { return true; }
+  static constexpr double Range(size_t i) { return Bound(i); }
+  static constexpr BitField Orange(size_t) { return {0, 0}; }
+  static constexpr BitField Green(size_t) { return {0, 0}; }
+  static constexpr double ColourRange(size_t i) { return i < 4 ? 0.5 : 0.35; }
+};
+struct LumaAt12 : SharedFormat {
+  static constexpr size_t kBytes = 12, kOrder = 3;
+  static constexpr BitField Ratio(size_t i) { return {static_cast<int>(24 + 8 * i), 8}; }
+};
+struct ChromaAt16 : SharedFormat {
+  static constexpr size_t kBytes = 16, kOrder = 3;
+  static constexpr bool kHasColour = true;
+  static constexpr BitField Ratio(size_t i) {
+    constexpr int kBits[] = {32, 64, 96, 49, 58, 81, 90, 113};
+    return {kBits[i - 1], i < 4 ? 7 : 6};
+  }
+  static constexpr BitField Orange(size_t i) {
+    constexpr int kBits[] = {39, 71, 103, 55, 119, 87, 122, 125};
+    return {kBits[i - 1], i < 4 ? 5 : 3};
+  }
+  static constexpr BitField Green(size_t i) {
+    return {static_cast<int>(12 + 32 * i), i < 4 ? 5 : 0};
+  }
+};
+struct ChromaAt21 : SharedFormat {
+  static constexpr size_t kBytes = 21, kOrder = 3;
+  static constexpr bool kHasColour = true;
+  static constexpr BitField Ratio(size_t i) {
+    constexpr int kBits[] = {32, 40, 48, 56, 64, 71, 96, 103};
+    return {kBits[i - 1], i < 4 ? 8 : 7};
+  }
+  static constexpr BitField Orange(size_t i) {
+    constexpr int kBits[] = {78, 90, 116, 128, 136, 144, 152, 160};
+    return {kBits[i - 1], i < 4 ? 6 : 4};
+  }
+  static constexpr BitField Green(size_t i) {
+    constexpr int kBits[] = {84, 110, 122, 132, 140, 148, 156, 164};
+    return {kBits[i - 1], i < 4 ? 6 : 4};
+  }
+};
+
+// ZH3: order 2, and of band 2 the part that is symmetric about the luminance axis of band 1, as a
+// ratio of each channel or of all, f_c2 = f_c0 kAxialRange v times the zonal function of norm 1.
+inline constexpr double kAxialRange = ConstexprSqrt(5.0);
+struct Zh3At16 : RatioFormat {
+  static constexpr size_t kBytes = 16, kOrder = 3;
+  static constexpr bool Has(size_t i) { return i < 4; }
+  static constexpr int BitOf(size_t c, size_t i) { return Sh2At13::BitOf(c, i); }
+  static constexpr bool kSharesRatios = false;
+  static constexpr BitField Axial(size_t c) { return {static_cast<int>(104 + 8 * c), 8}; }
+};
+struct Zh3LumaAt8 : SharedFormat {
+  static constexpr size_t kBytes = 8, kOrder = 3;
+  static constexpr bool Has(size_t i) { return i < 4; }
+  static constexpr BitField Ratio(size_t i) { return LumaAt12::Ratio(i); }
+  static constexpr bool kSharesRatios = true;
+  static constexpr BitField Axial(size_t) { return {56, 8}; }
+};
+
 // Formats of every coefficient as a float, channel by channel.
 struct HalfAt54 {
   static constexpr size_t kBytes = 54, kOrder = 3;
@@ -199,7 +289,8 @@ struct FormatList {
   static constexpr size_t kCount = sizeof...(F);
 };
 using Formats = FormatList<Sh3At28, Sh2At13, Sh3At32, Sh5At55, HalfAt54, FloatAt108, UnrealAt28,
-                           UnityAt16, UnityAt32, Rgb9e5At4, R11g11b10At4>;
+                           UnityAt16, UnityAt32, Rgb9e5At4, R11g11b10At4, LumaAt12, ChromaAt16,
+                           ChromaAt21, Zh3At16, Zh3LumaAt8, GodotAt32>;
 inline constexpr size_t kNumFormats = Formats::kCount;
 
 struct FormatShape {

@@ -231,7 +231,7 @@ struct Blend {
 
   template <class K, class Source, class Out>
   GAUNT_LANES void operator()(const K& k, const ItemCursor<Source>& items, const Out& out) const {
-    typename K::template Slots<kPlanes<F>> sums;
+    typename K::template Slots<Format::kSums> sums;
     GroupTaps<F::kBytes> group;
     const auto fetch = [&](size_t tap) HWY_ATTR {
       group.count = std::min(group.kMost, taps - tap);
@@ -243,7 +243,7 @@ struct Blend {
       Format::template AddTaps<true>(k, group, kSize, sums);
       Format::Finish(k, sums, kSize, out);
     } else {
-      for (size_t p = 0; p < kPlanes<F>; ++p) sums(p, k(0.0));
+      for (size_t p = 0; p < Format::kSums; ++p) sums(p, k(0.0));
       for (size_t t = 0; t < taps; t += group.kMost) {
         fetch(t);
         Format::template AddTaps<false>(k, group, size, sums);

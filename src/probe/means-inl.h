@@ -29,6 +29,19 @@ GAUNT_LANES V PositivePart(const K& k, V v, double most) {
   return Min(IfThenElseZero(Gt(v, k(0.0)), v), k(most));
 }
 
+// One more where the mask is set.
+template <class K, class Mask, class V>
+GAUNT_LANES V CountIf(const K& k, Mask mask, V count) {
+  return Add(count, IfThenElseZero(mask, k(1.0)));
+}
+// What a container can hold of a mean; counts those that it cuts off.
+template <class K, class V>
+GAUNT_LANES V LimitMean(const K& k, V mean, double most, V& clamped) {
+  clamped = CountIf(k, Lt(mean, k(0.0)), clamped);
+  clamped = CountIf(k, Gt(mean, k(most)), clamped);
+  return PositivePart(k, mean, most);
+}
+
 // Decode() gives the means times a number. Encode(), of means in 0 .. the largest, gives what a
 // decoder makes of them.
 template <Container kContainer, int kBit>

@@ -9,6 +9,7 @@
 
 #include "probe/floats-inl.h"
 #include "probe/ratios-inl.h"
+#include "probe/zonal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::probe::HWY_NAMESPACE {
@@ -16,6 +17,26 @@ namespace gaunt::probe::HWY_NAMESPACE {
 template <class F>
 struct KernelsOf {
   using Format = Ratios<F>;
+};
+template <>
+struct KernelsOf<LumaAt12> {
+  using Format = SharedRatios<LumaAt12>;
+};
+template <>
+struct KernelsOf<ChromaAt16> {
+  using Format = SharedRatios<ChromaAt16>;
+};
+template <>
+struct KernelsOf<ChromaAt21> {
+  using Format = SharedRatios<ChromaAt21>;
+};
+template <>
+struct KernelsOf<Zh3At16> {
+  using Format = Zonal<Zh3At16, Ratios<Zh3At16>>;
+};
+template <>
+struct KernelsOf<Zh3LumaAt8> {
+  using Format = Zonal<Zh3LumaAt8, SharedRatios<Zh3LumaAt8>>;
 };
 template <>
 struct KernelsOf<HalfAt54> {
@@ -58,7 +79,8 @@ struct Encode {
   template <class K, class In, class Record, class V, class Report>
   static GAUNT_LANES void WriteReport(const K& k, const In& in, const Record& record, V clamped,
                                       const Report& report) {
-    typename K::template Slots<kPlanes<F>> sums, decoded;
+    typename K::template Slots<FormatKernels<F>::kSums> sums;
+    typename K::template Slots<kPlanes<F>> decoded;
     const OneTap<K, Record> tap = {k, record};
     FormatKernels<F>::template AddTaps<true>(k, tap, kSize, sums);
     FormatKernels<F>::Finish(k, sums, kSize, SlotsOut<decltype(decoded)>{decoded});

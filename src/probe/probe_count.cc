@@ -107,6 +107,12 @@ void AppendOperations(OperationRows& rows) {
   AppendFormat<UnityAt32>(rows, "unity_l2_32");
   AppendFormat<Rgb9e5At4>(rows, "rgb9e5");
   AppendFormat<R11g11b10At4>(rows, "r11g11b10f");
+  AppendFormat<LumaAt12>(rows, "sh3_luma_12");
+  AppendFormat<ChromaAt16>(rows, "sh3_chroma_16");
+  AppendFormat<ChromaAt21>(rows, "sh3_chroma_21");
+  AppendFormat<Zh3At16>(rows, "zh3_16");
+  AppendFormat<Zh3LumaAt8>(rows, "zh3_luma_8");
+  AppendFormat<GodotAt32>(rows, "godot_l1_32");
 }
 
 }  // namespace gaunt::probe

@@ -158,6 +158,148 @@ std::vector<Coefficient> Unity(const uint8_t* record, int order) {
   return all;
 }
 
+// E/pi = l0 (1 + 8 (t - 1/2) . n): layers of l0 and of t for y, z and x.
+std::vector<Coefficient> Godot(const uint8_t* record) {
+  const double c0 = std::sqrt(1.0 / (4.0 * kPi)), c1 = 2.0 / 3.0 * std::sqrt(3.0 / (4.0 * kPi));
+  std::vector<Coefficient> all;
+  for (int c = 0; c < 3; ++c) {
+    Coefficient mean = Half(record + 2 * c);
+    mean.least = 0.0;
+    all.push_back(Times(mean, 1.0 / c0));
+    for (int layer = 1; layer < 4; ++layer) {
+      const Coefficient t = Half(record + 8 * layer + 2 * c);
+      const double sign = layer == 2 ? 1.0 : -1.0;
+      all.push_back(
+          Times({sign * 8.0 * (t.value - 0.5), 8.0 * t.step, -4.0, 4.0}, mean.value / c1));
+    }
+  }
+  return all;
+}
+
+// An integer in two's complement of some bits of a record.
+int Signed(const uint8_t* record, int bit, int width) {
+  int value = 0;
+  for (int k = 0; k < width; ++k) {
+    value |= (record[(bit + k) / 8] >> (bit + k) % 8 & 1) << k;
+  }
+  return value >= 1 << (width - 1) ? value - (1 << width) : value;
+}
+
+// Where the numbers of coefficient i are: of the shared ratio, of orange and of green.
+struct SharedPlaces {
+  struct Place {
+    int bit, width;
+  };
+  Place ratio, orange, green;
+};
+SharedPlaces PlacesOf(uint32_t format, int i) {
+  if (format == GAUNT_FORMAT_SH3_CHROMA_16) {
+    const SharedPlaces places[] = {{{32, 7}, {39, 5}, {44, 5}},   {{64, 7}, {71, 5}, {76, 5}},
+                                   {{96, 7}, {103, 5}, {108, 5}}, {{49, 6}, {55, 3}, {0, 0}},
+                                   {{58, 6}, {119, 3}, {0, 0}},   {{81, 6}, {87, 3}, {0, 0}},
+                                   {{90, 6}, {122, 3}, {0, 0}},   {{113, 6}, {125, 3}, {0, 0}}};
+    return places[i - 1];
+  }
+  if (format == GAUNT_FORMAT_SH3_CHROMA_21) {
+    const SharedPlaces places[] = {{{32, 8}, {78, 6}, {84, 6}},   {{40, 8}, {90, 6}, {110, 6}},
+                                   {{48, 8}, {116, 6}, {122, 6}}, {{56, 7}, {128, 4}, {132, 4}},
+                                   {{64, 7}, {136, 4}, {140, 4}}, {{71, 7}, {144, 4}, {148, 4}},
+                                   {{96, 7}, {152, 4}, {156, 4}}, {{103, 7}, {160, 4}, {164, 4}}};
+    return places[i - 1];
+  }
+  return {{24 + 8 * i, 8}, {0, 0}, {0, 0}};
+}
+
+double Share(int number, int width, bool squared = false) {
+  const double largest = (1 << (width - 1)) - 1;
+  return squared ? number * std::abs(number) / (largest * largest) : number / largest;
+}
+double ColourRange(int i) { return i < 4 ? 0.5 : 0.35; }
+
+// Ratios of coefficients i < end that the channels share, with their colours.
+std::vector<std::vector<double>> SharedRatios(uint32_t format, const uint8_t* record, int end) {
+  const std::vector<Coefficient> means = Rgb9e5(record);
+  const double luma = (means[0].value + 2.0 * means[1].value + means[2].value) / 4.0;
+  std::vector<std::vector<double>> all(3, std::vector<double>(9, 0.0));
+  for (int i = 1; i < end; ++i) {
+    const SharedPlaces places = PlacesOf(format, i);
+    const auto number = [&](SharedPlaces::Place p) { return Signed(record, p.bit, p.width); };
+    const auto colour = [&](SharedPlaces::Place p) {
+      return p.width == 0 ? 0.0 : ColourRange(i) * Share(number(p), p.width, true);
+    };
+    const double ratio = Share(number(places.ratio), places.ratio.width);
+    const double o = colour(places.orange), g = colour(places.green);
+    const double extra[3] = {o - g, g, -o - g};
+    for (size_t c = 0; c < 3; ++c) {
+      all[c][static_cast<size_t>(i)] = BoundOf(i) * (ratio * means[c].value + luma * extra[c]);
+    }
+  }
+  return all;
+}
+
+// The zonal function of band 2 of norm 1 about the axis of a band 1 (f1, f2, f3) = (-y, z, -x); 0 for
+// no axis.
+std::vector<double> ZonalBand(double f1, double f2, double f3) {
+  const double length = std::sqrt(f1 * f1 + f2 * f2 + f3 * f3);
+  if (length == 0.0) return std::vector<double>(5, 0.0);
+  const double x = -f3 / length, y = -f1 / length, z = f2 / length, root = std::sqrt(3.0);
+  return {root * x * y, -root * y * z, 1.5 * z * z - 0.5, -root * x * z,
+          root / 2.0 * (x * x - y * y)};
+}
+// Of a record of ZH3, whose axis is that of the luminance.
+std::vector<double> ZonalBandOf(const std::vector<std::vector<double>>& band_one) {
+  const auto sum = [&](size_t i) {
+    return 0.2126 * band_one[0][i] + 0.7152 * band_one[1][i] + 0.0722 * band_one[2][i];
+  };
+  return ZonalBand(sum(1), sum(2), sum(3));
+}
+
+std::vector<std::vector<double>> BandOne(uint32_t format, const uint8_t* record) {
+  if (format == GAUNT_FORMAT_ZH3_LUMA_8) return SharedRatios(format, record, 4);
+  const std::vector<Coefficient> means = Rgb9e5(record);
+  std::vector<std::vector<double>> all(3, std::vector<double>(9, 0.0));
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 1; i < 4; ++i) {
+      const double ratio = Share(Signed(record, 32 + 8 * (3 * c + i - 1), 8), 8);
+      all[static_cast<size_t>(c)][static_cast<size_t>(i)] =
+          ratio * BoundOf(i) * means[static_cast<size_t>(c)].value;
+    }
+  }
+  return all;
+}
+int AxialBit(uint32_t format, int c) {
+  return format == GAUNT_FORMAT_ZH3_LUMA_8 ? 56 : 104 + 8 * c;
+}
+
+// Ranges are those that the numbers give.
+std::vector<Coefficient> WithMeans(const uint8_t* record,
+                                   const std::vector<std::vector<double>>& ratios, double most) {
+  std::vector<Coefficient> all;
+  for (size_t c = 0; c < 3; ++c) {
+    const Coefficient mean = Rgb9e5(record)[c];
+    all.push_back(mean);
+    const double brightest =
+        std::max({Rgb9e5(record)[0].value, Rgb9e5(record)[1].value, Rgb9e5(record)[2].value});
+    for (size_t i = 1; i < 9; ++i) {
+      all.push_back({ratios[c][i], 0.0, -most * brightest, most * brightest});
+    }
+  }
+  return all;
+}
+std::vector<Coefficient> Shared(uint32_t format, const uint8_t* record) {
+  return WithMeans(record, SharedRatios(format, record, 9), std::sqrt(5.0));
+}
+std::vector<Coefficient> Zh3(uint32_t format, const uint8_t* record) {
+  std::vector<std::vector<double>> ratios = BandOne(format, record);
+  const std::vector<double> band = ZonalBandOf(ratios);
+  for (int c = 0; c < 3; ++c) {
+    const double k2 = std::sqrt(5.0) * Rgb9e5(record)[static_cast<size_t>(c)].value *
+                      Share(Signed(record, AxialBit(format, c), 8), 8);
+    for (size_t m = 0; m < 5; ++m) ratios[static_cast<size_t>(c)][4 + m] = k2 * band[m];
+  }
+  return WithMeans(record, ratios, std::sqrt(5.0));
+}
+
 std::vector<Coefficient> Floats(const uint8_t* record) {
   std::vector<Coefficient> all;
   for (int p = 0; p < 27; ++p) {
@@ -189,8 +331,83 @@ std::vector<Coefficient> ReadReference(uint32_t format, const uint8_t* record) {
     case GAUNT_FORMAT_UNITY_L2_32: return Unity(record, 3);
     case GAUNT_FORMAT_RGB9E5: return Rgb9e5(record);
     case GAUNT_FORMAT_R11G11B10F: return R11g11b10(record);
+    case GAUNT_FORMAT_SH3_LUMA_12:
+    case GAUNT_FORMAT_SH3_CHROMA_16:
+    case GAUNT_FORMAT_SH3_CHROMA_21: return Shared(format, record);
+    case GAUNT_FORMAT_ZH3_16:
+    case GAUNT_FORMAT_ZH3_LUMA_8: return Zh3(format, record);
+    case GAUNT_FORMAT_GODOT_L1_32: return Godot(record);
     default: return {};
   }
+}
+
+std::vector<Written> WrittenReference(uint32_t format, const float* light, const uint8_t* record) {
+  if (format < GAUNT_FORMAT_SH3_LUMA_12 || format > GAUNT_FORMAT_ZH3_LUMA_8) return {};
+  const bool is_zonal = format == GAUNT_FORMAT_ZH3_16 || format == GAUNT_FORMAT_ZH3_LUMA_8;
+  const std::vector<Coefficient> means = Rgb9e5(record);
+  const double m[3] = {means[0].value, means[1].value, means[2].value};
+  const double luma = (m[0] + 2.0 * m[1] + m[2]) / 4.0;
+  // As far as a channel of light can have it, in relation to the range.
+  const auto share = [&](int c, int i, double range) {
+    const double f = double{light[9 * c + i]} / range;
+    return std::isnan(f) ? 0.0 : std::max(-m[c], std::min(f, m[c]));
+  };
+  const auto over = [](double a, double b) { return b == 0.0 ? 0.0 : a / b; };
+  const auto closest = [&](const double(&f)[3]) {
+    return over(m[0] * f[0] + m[1] * f[1] + m[2] * f[2], m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+  };
+  std::vector<Written> all;
+  const auto add = [&](int bit, int width, bool squared, double wanted) {
+    const int largest = (1 << (width - 1)) - 1;
+    const double code = squared ? largest * largest : largest;
+    all.push_back({Signed(record, bit, width), largest, squared,
+                   std::max(-code, std::min(code * wanted, code))});
+  };
+  if (format == GAUNT_FORMAT_ZH3_16) {
+    for (int c = 0; c < 3; ++c) {
+      for (int i = 1; i < 4; ++i) {
+        add(32 + 8 * (3 * c + i - 1), 8, false, over(share(c, i, BoundOf(i)), m[c]));
+      }
+    }
+  } else {
+    for (int i = 1; i < (is_zonal ? 4 : 9); ++i) {
+      const SharedPlaces places = PlacesOf(format, i);
+      double f[3];
+      for (int c = 0; c < 3; ++c) f[c] = share(c, i, BoundOf(i));
+      // Without what orange takes, (1, 0, -1), and without what both colours take.
+      double ratio = closest(f);
+      if (places.orange.width > 0) {
+        const double pair = m[0] + m[2];
+        ratio = over(pair * (f[0] + f[2]) + 2.0 * m[1] * f[1], pair * pair + 2.0 * m[1] * m[1]);
+      }
+      if (places.green.width > 0) ratio = over((f[0] + 2.0 * f[1] + f[2]) / 4.0, luma);
+      add(places.ratio.bit, places.ratio.width, false, ratio);
+      const double decoded = Share(all.back().number, places.ratio.width);
+      for (int c = 0; c < 3; ++c) f[c] = over(f[c] - m[c] * decoded, luma);
+      if (places.orange.width > 0) {
+        add(places.orange.bit, places.orange.width, true, (f[0] - f[2]) / 2.0 / ColourRange(i));
+      }
+      if (places.green.width > 0) {
+        add(places.green.bit, places.green.width, true,
+            (2.0 * f[1] - f[0] - f[2]) / 4.0 / ColourRange(i));
+      }
+    }
+  }
+  if (is_zonal) {
+    const std::vector<double> band = ZonalBandOf(BandOne(format, record));
+    double along[3] = {0.0, 0.0, 0.0};
+    for (int c = 0; c < 3; ++c) {
+      for (int k = 0; k < 5; ++k) {
+        along[c] += band[static_cast<size_t>(k)] * share(c, 4 + k, std::sqrt(5.0));
+      }
+    }
+    if (format == GAUNT_FORMAT_ZH3_LUMA_8) {
+      add(56, 8, false, closest(along));
+    } else {
+      for (int c = 0; c < 3; ++c) add(104 + 8 * c, 8, false, over(along[c], m[c]));
+    }
+  }
+  return all;
 }
 
 std::vector<double> GatherReference(uint32_t format, size_t taps, const uint32_t* indices,

@@ -17,6 +17,17 @@ struct Coefficient {
 // All of a record, channel by channel.
 std::vector<Coefficient> ReadReference(uint32_t format, const uint8_t* record);
 
+// A number of a record of shared ratios or of ZH3 and what it stands for, in steps: a number q stands
+// for q or, squared, for q |q|. `wanted` is what the encoded light has, given the means and the numbers
+// before.
+struct Written {
+  int number, largest;
+  bool squared;
+  double wanted;
+};
+// All of them; none for other formats.
+std::vector<Written> WrittenReference(uint32_t format, const float* light, const uint8_t* record);
+
 // Weighted sum of decoded records; an index that is not below packed_count adds nothing.
 std::vector<double> GatherReference(uint32_t format, size_t taps, const uint32_t* indices,
                                     const float* weights, const uint8_t* packed,

@@ -7,6 +7,7 @@
 #define GAUNT_PROBE_RATIOS_INL_H_
 #endif
 
+#include <iterator>
 #include <utility>
 
 #include "probe/means-inl.h"
@@ -60,6 +61,8 @@ struct Coding<Code::kHalf> {
 
 template <class F>
 struct Ratios {
+  static constexpr size_t kSums = kPlanes<F>;
+
   // To sums or, if they are new, in place of them, records of each lane times their weights: of the
   // first `size` coefficients at least. The bounds come in only in Finish(), once for all.
   template <bool kNew, class K, class Taps, class Sums>
@@ -100,19 +103,37 @@ struct Ratios {
     V clamped = k(0.0);
     V r = Mean<0>(k, in, clamped), g = Mean<1>(k, in, clamped), b = Mean<2>(k, in, clamped);
     TheMeans::Encode(k, record, r, g, b);
+    PutOpaque(k, record, std::make_index_sequence<std::size(F::kOpaqueBits)>());
     EncodeChannel<0, 1>(k, PerMean(k, r), in, record, clamped);
     EncodeChannel<1, 1>(k, PerMean(k, g), in, record, clamped);
     EncodeChannel<2, 1>(k, PerMean(k, b), in, record, clamped);
     return clamped;
   }
 
+  // The number of a ratio.
+  template <size_t c, size_t i, class K, class Record>
+  static GAUNT_LANES auto Number(const K& k, const Record& record) {
+    return Coding<F::CodeOf(c, i)>::template Get<F::BitOf(c, i)>(k, record);
+  }
+
  private:
   using TheMeans = Means<F::kContainer, F::kContainerBit>;
   static constexpr size_t kSize = NumCoefficients(F::kOrder);
 
-  template <size_t c, size_t i, class K, class Record>
-  static GAUNT_LANES auto Number(const K& k, const Record& record) {
-    return Coding<F::CodeOf(c, i)>::template Get<F::BitOf(c, i)>(k, record);
+  // A half float of 1.
+  template <class K, class Record, size_t... place>
+  static GAUNT_LANES void PutOpaque(const K& k, Record& record, std::index_sequence<place...>) {
+    if constexpr (F::kOpaqueBits[0] >= 0) {
+      (record.template Put<F::kOpaqueBits[place], 16>(k.HalfBits(k(1.0))), ...);
+    }
+    (void)k, (void)record;
+  }
+
+  // How many ratios there are from i on, up to four.
+  static constexpr size_t CountFrom(size_t i) {
+    size_t n = 0;
+    while (n < 4 && i + n < kSize && F::Has(i + n)) ++n;
+    return n;
   }
 
   // Four ratios at a time: more would not stay in registers.
@@ -121,7 +142,7 @@ struct Ratios {
                                      Sums& sums) {
     if constexpr (i < kSize && F::Has(i)) {
       using V = typename K::V;
-      constexpr size_t at = c * kSize, left = kSize - i;
+      constexpr size_t at = c * kSize, left = CountFrom(i);
       if (i >= size) return;
       V s0 = k(0.0), s1 = s0, s2 = s0, s3 = s0;
       if constexpr (!kNew) s0 = sums(at + i);
@@ -140,7 +161,7 @@ struct Ratios {
       if constexpr (left > 1) sums(at + i + 1, s1);
       if constexpr (left > 2) sums(at + i + 2, s2);
       if constexpr (left > 3) sums(at + i + 3, s3);
-      AddChannel<kNew, c, i + (left > 3 ? 4 : left)>(k, taps, means, size, sums);
+      AddChannel<kNew, c, i + left>(k, taps, means, size, sums);
     } else if constexpr (i < kSize) {
       AddChannel<kNew, c, i + 1>(k, taps, means, size, sums);
     }
@@ -166,18 +187,11 @@ struct Ratios {
     }
   }
 
-  template <class K, class Mask, class V>
-  static GAUNT_LANES V CountIf(const K& k, Mask mask, V count) {
-    return Add(count, IfThenElseZero(mask, k(1.0)));
-  }
-
   template <size_t c, class K, class In, class V>
   static GAUNT_LANES V Mean(const K& k, const In& in, V& clamped) {
     V mean = in(c * kSize);
     if constexpr (F::kMeanFactor != 1.0) mean = Mul(mean, k(1.0 / F::kMeanFactor));
-    clamped = CountIf(k, Lt(mean, k(0.0)), clamped);
-    clamped = CountIf(k, Gt(mean, k(TheMeans::Largest(c))), clamped);
-    return PositivePart(k, mean, TheMeans::Largest(c));
+    return LimitMean(k, mean, TheMeans::Largest(c), clamped);
   }
   template <class K, class V>
   static GAUNT_LANES V PerMean(const K& k, V mean) {
