@@ -33,6 +33,7 @@ inline void PrintJson(const nlohmann::ordered_json& json, std::FILE* to = stdout
 void AddInfo(CLI::App& app);
 void AddOpcount(CLI::App& app);
 void AddFrame(CLI::App& app);
+void AddFormats(CLI::App& app);
 void AddPoints(CLI::App& app);
 void AddRotate(CLI::App& app);
 void AddChart(CLI::App& app);

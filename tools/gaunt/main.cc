@@ -37,6 +37,7 @@ int Run(int argc, char** argv) {
   gaunt::tool::AddInfo(app);
   gaunt::tool::AddOpcount(app);
   gaunt::tool::AddFrame(app);
+  gaunt::tool::AddFormats(app);
   gaunt::tool::AddPoints(app);
   gaunt::tool::AddRotate(app);
   gaunt::tool::AddChart(app);

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "frame/environment.h"
 
-#include <OpenImageIO/imageio.h>
-
-#include "bad_input.h"
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace gaunt::tool {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kMaxSize = 32768;
 
 }  // namespace
 
@@ -38,45 +37,12 @@ Environment Environment::Procedural() {
   return sky;
 }
 
-std::optional<Environment> Environment::Load(const std::string& path, TexelReport* report,
-                                             std::string* error) {
-  const auto input = OIIO::ImageInput::open(path);
-  if (!input) {
-    *error = "cannot read " + path + ": " + FirstLine(OIIO::geterror());
-    return std::nullopt;
-  }
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 2 || spec.height < 2 || spec.width > kMaxSize || spec.height > kMaxSize ||
-      spec.nchannels < 1) {
-    *error = path + " is no panorama: " + std::to_string(spec.width) + " x " +
-             std::to_string(spec.height) + " texels, " + std::to_string(spec.nchannels) +
-             " channels";
-    return std::nullopt;
-  }
-  const int channels = std::min(spec.nchannels, 3);
-  std::vector<float> read(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
-                          static_cast<size_t>(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, read.data())) {
-    *error = "cannot read " + path + ": " + FirstLine(input->geterror());
-    return std::nullopt;
-  }
+Environment Environment::Load(const std::string& path, TexelReport* report) {
+  Panorama panorama = LoadPanorama(path, report);
   Environment environment;
-  environment.width_ = spec.width;
-  environment.height_ = spec.height;
-  environment.texels_.reserve(read.size() / static_cast<size_t>(channels) * 3);
-  for (size_t texel = 0; texel < read.size(); texel += static_cast<size_t>(channels)) {
-    for (int c = 0; c < 3; ++c) {
-      float value = read[texel + static_cast<size_t>(std::min(c, channels - 1))];
-      if (!std::isfinite(value)) {
-        ++report->not_finite;
-        value = 0.0f;
-      } else if (value < 0.0f) {
-        ++report->negative;
-        value = 0.0f;
-      }
-      environment.texels_.push_back(value);
-    }
-  }
+  environment.width_ = panorama.width;
+  environment.height_ = panorama.height;
+  environment.texels_ = std::move(panorama.texels);
   environment.TakeSun();
   return environment;
 }

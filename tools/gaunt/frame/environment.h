@@ -3,12 +3,11 @@
 #ifndef GAUNT_TOOLS_GAUNT_FRAME_ENVIRONMENT_H_
 #define GAUNT_TOOLS_GAUNT_FRAME_ENVIRONMENT_H_
 
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "frame/geometry.h"
+#include "panorama.h"
 
 namespace gaunt::tool {
 
@@ -18,20 +17,13 @@ struct Sun {
   double angle = 0.005;              // half of its width
 };
 
-// Texels that no light can have, which Load() set to zero.
-struct TexelReport {
-  uint64_t negative = 0;
-  uint64_t not_finite = 0;
-};
-
 // Equirectangular, z up, in the orientation of gaunt_project_equirect().
 class Environment {
  public:
   // A clear sky in the late afternoon.
   static Environment Procedural();
-  // An EXR or HDR file. Without a value, *error is one line that says why.
-  static std::optional<Environment> Load(const std::string& path, TexelReport* report,
-                                         std::string* error);
+  // An EXR or HDR file. Throws BadInput.
+  static Environment Load(const std::string& path, TexelReport* report);
 
   Vec3 Radiance(const Vec3& direction) const;  // without the sun
   const Sun& sun() const { return sun_; }

@@ -46,10 +46,7 @@ void Check(gaunt_status status) {
 
 Environment MakeEnvironment(const FrameOptions& options, TexelReport* report) {
   if (options.environment.empty()) return Environment::Procedural();
-  std::string error;
-  std::optional<Environment> loaded = Environment::Load(options.environment, report, &error);
-  if (!loaded) throw BadInput(error);
-  return *std::move(loaded);
+  return Environment::Load(options.environment, report);
 }
 
 // E/pi under the open sky, for surfaces that no probe is near.
