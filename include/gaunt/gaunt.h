@@ -1166,7 +1166,7 @@ enum {
    *   L_ci = bound_i (L_c0 v_i + m e_c),  e = (o - g, g, -o - g) of R, G, B,
    *   m = (R + 2 G + B) / 4 of the three L_0.
    * v = q / s of a signed integer of some bits, of which s is the largest and -s the least that is
-   * written; o and g = k q |q| / s^2, with k = 1/2 for i = 1..3 and 0.35 for i = 4..8. RGB9E5 of L_0
+   * written; o and g = k q |q| / s^2, with k = 0.35 for i = 1..3 and 1/4 for i = 4..8. RGB9E5 of L_0
    * in bits 0-31; then, each from the bit named up,
    *   v: 7 bits of i = 1..3 from 32, 64, 96; 6 bits of i = 4..8 from 49, 58, 81, 90, 113
    *   o: 5 bits of i = 1..3 from 39, 71, 103; 3 bits of i = 4..8 from 55, 119, 87, 122, 125

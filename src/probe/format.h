@@ -205,7 +205,7 @@ struct SharedFormat {
   static constexpr double Range(size_t i) { return Bound(i); }
   static constexpr BitField Orange(size_t) { return {0, 0}; }
   static constexpr BitField Green(size_t) { return {0, 0}; }
-  static constexpr double ColourRange(size_t i) { return i < 4 ? 0.5 : 0.35; }
+  static constexpr double ColourRange(size_t i) { return i < 4 ? 0.35 : 0.25; }
 };
 struct LumaAt12 : SharedFormat {
   static constexpr size_t kBytes = 12, kOrder = 3;

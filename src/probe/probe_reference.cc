@@ -214,7 +214,7 @@ double Share(int number, int width, bool squared = false) {
   const double largest = (1 << (width - 1)) - 1;
   return squared ? number * std::abs(number) / (largest * largest) : number / largest;
 }
-double ColourRange(int i) { return i < 4 ? 0.5 : 0.35; }
+double ColourRange(int i) { return i < 4 ? 0.35 : 0.25; }
 
 // Ratios of coefficients i < end that the channels share, with their colours.
 std::vector<std::vector<double>> SharedRatios(uint32_t format, const uint8_t* record, int end) {
