@@ -62,7 +62,7 @@ if(GAUNT_TOOLS)
   # In one process: it reads the images once.
   add_executable(panorama_test tests/panorama_test.cc tests/support/panorama.cc)
   gaunt_compile_internal(panorama_test)
-  target_link_libraries(panorama_test PRIVATE gaunt_test_support OpenImageIO::OpenImageIO)
+  target_link_libraries(panorama_test PRIVATE gaunt_test_support gaunt_formats OpenImageIO::OpenImageIO)
   add_test(NAME Panorama COMMAND panorama_test)
   gaunt_test(chart_test tests/chart_test.cc)
   target_link_libraries(chart_test PRIVATE gaunt_chart)

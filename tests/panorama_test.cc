@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formats/format_error.h"
 #include "project/project_reference.h"
 #include "tests/support/random.h"
 #include "tests/support/targets.h"
@@ -163,6 +164,22 @@ TEST_P(Panoramic, ClampingRemovesLittle) {
     for (size_t c = 0; c < 3; ++c) EXPECT_GE(clamped[9 * c], f[9 * c] * (1.0f - 1e-6f));
     ExpectClose(clamped, f, 1e-3);
   }
+}
+
+// What a format adds to the error of the same order unpacked, the mean over all panoramas.
+TEST_P(Panoramic, FormatsOfOrder3AddLittle) {
+  const auto added = [](uint32_t format) {
+    double sum = 0.0;
+    for (const Panorama& panorama : Panoramas()) {
+      const tool::Light light = tool::ProjectLight(panorama.image);
+      sum += tool::ErrorOfFormat(format, false, light).rms - tool::ErrorOfOrder(3, light).rms;
+    }
+    return sum / static_cast<double>(Panoramas().size());
+  };
+  EXPECT_LE(added(GAUNT_FORMAT_SH3_28), 0.0005);
+  EXPECT_LE(added(GAUNT_FORMAT_SH3_32), 0.0005);
+  EXPECT_LE(added(GAUNT_FORMAT_SH3_CHROMA_21), 0.0025);
+  EXPECT_LE(added(GAUNT_FORMAT_SH3_CHROMA_16), 0.0095);
 }
 
 GAUNT_INSTANTIATE_TARGETS(Panoramic);

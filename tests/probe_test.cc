@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "basis/basis_reference.h"
 #include "gaunt/gaunt.h"
 #include "probe/probe_reference.h"
 #include "tests/support/buffer.h"
@@ -216,6 +217,77 @@ TEST_P(Probe, EncodesToNearestInEveryFormatAndLayout) {
   }
 }
 
+// Light of an order from a few directions, as formats are made for.
+std::vector<float> MakeLight(Random& random, const Format& format) {
+  std::vector<double> sum(format.planes, 0.0);
+  const size_t size = format.planes / 3;
+  for (size_t c = 0; c < 3; ++c) sum[c * size] = random.Between(0.1, 1.0);
+  for (int light = 0; light < 3; ++light) {
+    float d[3];
+    random.Direction(d);
+    const double direction[3] = {d[0], d[1], d[2]};
+    std::vector<double> y(size);
+    basis::EvalReference(static_cast<int>(format.order), direction, y.data());
+    for (size_t c = 0; c < 3; ++c) {
+      const double colour = random.Between(0.2, 0.6);
+      for (size_t i = 0; i < size; ++i) sum[c * size + i] += colour * y[i];
+    }
+  }
+  return {sum.begin(), sum.end()};
+}
+
+TEST_P(Probe, RefinementLowersTheErrorOfTheDecodedBytes) {
+  Random random(14);
+  constexpr size_t kCount = 37;
+  for (const Format& format : AllFormats()) {
+    SCOPED_TRACE(Name(format));
+    const size_t stride = format.bytes + 3;
+    for (const Layout layout : Layouts()) {
+      Buffer in(layout, kCount, format.planes);
+      for (size_t i = 0; i < kCount; ++i) {
+        const std::vector<float> light = MakeLight(random, format);
+        for (size_t p = 0; p < format.planes; ++p) in.Set(i, p, light[p]);
+      }
+      Buffer plain(layout, kCount, GAUNT_REPORT_PLANES),
+          refined(layout, kCount, GAUNT_REPORT_PLANES);
+      std::vector<uint8_t> packed(kCount * stride, 0xEE), silent = packed;
+      ASSERT_EQ(
+          gaunt_probe_encode(format.id, kCount, in.view(), packed.data(), stride, plain.view()),
+          GAUNT_OK);
+      ASSERT_EQ(gaunt_probe_encode_refined(format.id, kCount, in.view(), packed.data(), stride,
+                                           refined.view()),
+                GAUNT_OK);
+      ASSERT_EQ(
+          gaunt_probe_encode_refined(format.id, kCount, in.view(), silent.data(), stride, nullptr),
+          GAUNT_OK);
+      EXPECT_EQ(packed, silent);
+      double before = 0.0, after = 0.0;
+      for (size_t i = 0; i < kCount; ++i) {
+        std::vector<double> wanted, decoded;
+        for (size_t p = 0; p < format.planes; ++p) wanted.push_back(in.Get(i, p));
+        for (const auto& c : probe::ReadReference(format.id, packed.data() + i * stride)) {
+          decoded.push_back(c.value);
+        }
+        double rms, bound;
+        probe::ErrorReference(static_cast<int>(format.order), wanted.data(), decoded.data(), &rms,
+                              &bound);
+        const double scale = *std::max_element(wanted.begin(), wanted.end());
+        ASSERT_NEAR(refined.Get(i, GAUNT_REPORT_RMS), rms, 1e-6 * scale);
+        ASSERT_NEAR(refined.Get(i, GAUNT_REPORT_MAX), bound, 1e-6 * scale);
+        ASSERT_LE(rms, plain.Get(i, GAUNT_REPORT_RMS) + 1e-6 * scale);
+        before += plain.Get(i, GAUNT_REPORT_RMS);
+        after += rms;
+        for (size_t b = format.bytes; b < stride; ++b) ASSERT_EQ(packed[i * stride + b], 0xEE);
+      }
+      const bool is_zonal =
+          format.id == GAUNT_FORMAT_ZH3_16 || format.id == GAUNT_FORMAT_ZH3_LUMA_8;
+      if (is_zonal) {
+        EXPECT_LT(after, 0.99 * before);
+      }
+    }
+  }
+}
+
 // Probes that no light makes, and those at the ends of the containers.
 TEST_P(Probe, SurvivesExtremeProbes) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -241,6 +313,12 @@ TEST_P(Probe, SurvivesExtremeProbes) {
         SCOPED_TRACE(testing::Message() << Name(format) << " mean " << mean << " ratio " << ratio);
         ExpectNearest(format, f.data(), record.data());
         for (const float value : report) EXPECT_FALSE(std::isnan(value));
+        std::vector<uint8_t> refined(format.bytes);
+        ASSERT_EQ(gaunt_probe_encode_refined(format.id, 1, &in, refined.data(), format.bytes, &vr),
+                  GAUNT_OK);
+        for (const float value : report) EXPECT_FALSE(std::isnan(value));
+        ASSERT_EQ(gaunt_probe_decode(format.id, 1, refined.data(), format.bytes, &out), GAUNT_OK);
+        for (const float value : decoded) EXPECT_TRUE(std::isfinite(value));
         ASSERT_EQ(gaunt_probe_decode(format.id, 1, record.data(), format.bytes, &out), GAUNT_OK);
         for (const float value : decoded) EXPECT_TRUE(std::isfinite(value));
       }
@@ -361,6 +439,12 @@ TEST_P(Probe, RejectsWrongArguments) {
   EXPECT_EQ(gaunt_probe_encode(kFormat, 8, v, v->data, 28, nullptr), GAUNT_ERROR_OVERLAP);
   EXPECT_EQ(gaunt_probe_encode(kFormat, 8, v, packed, 28, v), GAUNT_ERROR_OVERLAP);
   EXPECT_EQ(gaunt_probe_encode(kFormat, 8, v, packed, SIZE_MAX / 2, nullptr), GAUNT_ERROR_RANGE);
+
+  EXPECT_EQ(gaunt_probe_encode_refined(0, 8, v, packed, 28, nullptr), GAUNT_ERROR_FORMAT);
+  EXPECT_EQ(gaunt_probe_encode_refined(kFormat, 8, v, packed, 27, nullptr), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(gaunt_probe_encode_refined(kFormat, 8, nullptr, packed, 28, nullptr), GAUNT_ERROR_NULL);
+  EXPECT_EQ(gaunt_probe_encode_refined(kFormat, 8, v, v->data, 28, nullptr), GAUNT_ERROR_OVERLAP);
+  EXPECT_EQ(gaunt_probe_encode_refined(kFormat, 0, nullptr, nullptr, 28, nullptr), GAUNT_OK);
 
   EXPECT_EQ(gaunt_probe_decode(kFormats + 1, 8, packed, 28, v), GAUNT_ERROR_FORMAT);
   EXPECT_EQ(gaunt_probe_decode(kFormat, 0, nullptr, 28, nullptr), GAUNT_OK);

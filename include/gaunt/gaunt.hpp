@@ -368,6 +368,18 @@ inline void ProbeEncode(uint32_t format, size_t count, const InView& in, void* p
                 gaunt_probe_encode(format, count, in.get(), packed, stride, report.get()));
 }
 
+inline void ProbeEncodeRefined(uint32_t format, size_t count, const InView& in, void* packed,
+                               size_t stride) {
+  detail::Check("gaunt_probe_encode_refined",
+                gaunt_probe_encode_refined(format, count, in.get(), packed, stride, nullptr));
+}
+
+inline void ProbeEncodeRefined(uint32_t format, size_t count, const InView& in, void* packed,
+                               size_t stride, const OutView& report) {
+  detail::Check("gaunt_probe_encode_refined",
+                gaunt_probe_encode_refined(format, count, in.get(), packed, stride, report.get()));
+}
+
 inline void ProbeDecode(uint32_t format, size_t count, const void* packed, size_t stride,
                         const OutView& out) {
   detail::Check("gaunt_probe_decode", gaunt_probe_decode(format, count, packed, stride, out.get()));

@@ -67,6 +67,12 @@ enum class Container { kRgb9e5, kHalf3, kR11g11b10 };
 // sign, or (v + 1) / 2 as a half float, for v in -1 .. 1.
 enum class Code { kSnorm8, kUnorm8, kHalf };
 
+// Bits of a record with an integer in two's complement that is never the least; none if the width is 0.
+struct BitField {
+  int bit, width;
+  constexpr double Largest() const { return static_cast<double>((1 << (width - 1)) - 1); }
+};
+
 // Formats of means and of ratios to them: f_i = f_0 Range(i) v, where |Range(i)| is the largest ratio.
 struct RatioFormat {
   static constexpr Container kContainer = Container::kRgb9e5;
@@ -75,6 +81,8 @@ struct RatioFormat {
   static constexpr bool Has(size_t) { return true; }
   static constexpr Code CodeOf(size_t, size_t) { return Code::kSnorm8; }
   static constexpr double Range(size_t i) { return Bound(i); }
+  static constexpr size_t kAxials = 0;  // see ZH3, below
+  static constexpr BitField Axial(size_t) { return {0, 0}; }
   static constexpr int kOpaqueBits[] = {-1};  // half floats that are 1 and not read
 };
 
@@ -186,12 +194,6 @@ struct GodotAt32 : RatioFormat {
   static constexpr int kOpaqueBits[] = {48, 112, 176, 240};
 };
 
-// Bits of a record with an integer in two's complement that is never the least; none if the width is 0.
-struct BitField {
-  int bit, width;
-  constexpr double Largest() const { return static_cast<double>((1 << (width - 1)) - 1); }
-};
-
 // Formats of ratios v that the channels share and of what is left over along two axes of colour,
 // orange and green:
 //   f_ci = Bound(i) (f_c0 v_i + m e_ci),  e = (o - g, g, -o - g),  m = Luma(f_00, f_10, f_20),
@@ -201,6 +203,8 @@ struct SharedFormat {
   static constexpr Container kContainer = Container::kRgb9e5;
   static constexpr int kContainerBit = 0;
   static constexpr bool kHasColour = false;
+  static constexpr size_t kAxials = 0;
+  static constexpr BitField Axial(size_t) { return {0, 0}; }
   static constexpr bool Has(size_t) { return true; }
   static constexpr double Range(size_t i) { return Bound(i); }
   static constexpr BitField Orange(size_t) { return {0, 0}; }
@@ -251,6 +255,7 @@ struct Zh3At16 : RatioFormat {
   static constexpr bool Has(size_t i) { return i < 4; }
   static constexpr int BitOf(size_t c, size_t i) { return Sh2At13::BitOf(c, i); }
   static constexpr bool kSharesRatios = false;
+  static constexpr size_t kAxials = kChannels;
   static constexpr BitField Axial(size_t c) { return {static_cast<int>(104 + 8 * c), 8}; }
 };
 struct Zh3LumaAt8 : SharedFormat {
@@ -258,10 +263,11 @@ struct Zh3LumaAt8 : SharedFormat {
   static constexpr bool Has(size_t i) { return i < 4; }
   static constexpr BitField Ratio(size_t i) { return LumaAt12::Ratio(i); }
   static constexpr bool kSharesRatios = true;
+  static constexpr size_t kAxials = 1;
   static constexpr BitField Axial(size_t) { return {56, 8}; }
 };
 
-// Formats of every coefficient as a float, channel by channel.
+// Formats of every coefficient as a float, channel by channel; no other number is closer.
 struct HalfAt54 {
   static constexpr size_t kBytes = 54, kOrder = 3;
   static constexpr int kBits = 16;

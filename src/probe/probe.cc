@@ -18,9 +18,10 @@ namespace gaunt::probe::HWY_NAMESPACE {
 
 constexpr size_t kEncodeChunk = 32;
 
-template <class F>
+template <class F, bool kRefines>
 void EncodeBatch(size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
                  const simd::OutView* report) {
+  using Kernel = Encode<F, kRefines && kCanRefine<F>>;
   constexpr size_t kWords = DenseWords<F::kBytes>::kCount;
   uint32_t words[kEncodeChunk * kWords];  // little-endian on every host
   for (size_t done = 0; done < count; done += kEncodeChunk) {
@@ -28,10 +29,10 @@ void EncodeBatch(size_t count, const simd::InView& in, uint8_t* packed, size_t s
     In<kPlanes<F>> in_side(in, kPlanes<F>, done);
     Out<kWords> word_side(simd::InterleavedOut(reinterpret_cast<float*>(words), kWords));
     if (report != nullptr) {
-      ForEachBatch<RecordLanes>(n, Encode<F, true>(), in_side, word_side,
+      ForEachBatch<RecordLanes>(n, Kernel(), in_side, word_side,
                                 Out<kReportPlanes>(*report, kReportPlanes, done));
     } else {
-      ForEachBatch<RecordLanes>(n, Encode<F, false>(), in_side, word_side);
+      ForEachBatch<RecordLanes>(n, Kernel(), in_side, word_side);
     }
     for (size_t i = 0; i < n; ++i) {
       std::memcpy(packed + (done + i) * stride, words + i * kWords, F::kBytes);
@@ -60,7 +61,7 @@ void GatherBatch(size_t order, size_t count, const Taps& taps, const PackedProbe
 
 template <class... F>
 constexpr Table MakeTable(FormatList<F...>) {
-  return {{{&EncodeBatch<F>, &DecodeBatch<F>, &GatherBatch<F>}...}};
+  return {{{&EncodeBatch<F, false>, &EncodeBatch<F, true>, &DecodeBatch<F>, &GatherBatch<F>}...}};
 }
 
 const Table* GetTable() {

@@ -46,6 +46,7 @@ struct CountRecordLanes : CountLanes {
     return Add(v, v);
   }
   Counted HalfBits(Counted v) const { return SmallFloatBits<10>(v); }
+  Counted AddToField(Counted, int, int, int32_t, int32_t, int32_t) const { return {}; }
   template <int>
   Counted Left(Counted) const {
     return {};
@@ -86,11 +87,16 @@ void AppendFormat(OperationRows& rows, const char* name) {
   append("probe_decode", "", CountBlend<F, true>(1));
   const CountPlanes planes;
   CountedOperations() = Operations();
-  HWY_NAMESPACE::Encode<F, false>()(CountRecordLanes(), planes, planes);
+  HWY_NAMESPACE::Encode<F>()(CountRecordLanes(), planes, planes);
   append("probe_encode", "", CountedOperations());
   CountedOperations() = Operations();
-  HWY_NAMESPACE::Encode<F, true>()(CountRecordLanes(), planes, planes, planes);
+  HWY_NAMESPACE::Encode<F>()(CountRecordLanes(), planes, planes, planes);
   append("probe_encode", "_report", CountedOperations());
+  if constexpr (HWY_NAMESPACE::kCanRefine<F>) {
+    CountedOperations() = Operations();
+    HWY_NAMESPACE::Encode<F, true>()(CountRecordLanes(), planes, planes, planes);
+    append("probe_encode_refined", "", CountedOperations());
+  }
 }
 
 }  // namespace

@@ -101,6 +101,20 @@ struct RecordLanes : Lanes {
     return Word(hn::Or(Bits(SmallFloatBits<10>(Abs(v))), sign));
   }
 
+  // Adds to a field of a word, as far as it goes. It is in two's complement if `least` is negative.
+  GAUNT_LANES V AddToField(V word, int shift, int width, int32_t least, int32_t most,
+                           int32_t step) const {
+    const uint32_t mask = width == 32 ? ~0u : (1u << width) - 1;
+    const auto high = hn::ShiftLeftSame(Bits(word), 32 - shift - width);
+    const auto number = least < 0 ? hn::ShiftRightSame(hn::BitCast(I(), high), 32 - width)
+                                  : hn::BitCast(I(), hn::ShiftRightSame(high, 32 - width));
+    const auto sum = hn::Add(number, hn::Set(I(), step));
+    const auto limited = hn::Min(hn::Max(sum, hn::Set(I(), least)), hn::Set(I(), most));
+    const auto bits = hn::And(hn::BitCast(U(), limited), hn::Set(U(), mask));
+    const auto others = hn::And(Bits(word), hn::Set(U(), ~(mask << shift)));
+    return Word(hn::Or(others, hn::ShiftLeftSame(bits, shift)));
+  }
+
   template <int kShift>
   GAUNT_LANES V Left(V word) const {
     return Word(hn::ShiftLeft<kShift>(Bits(word)));
@@ -206,6 +220,8 @@ class RecordOut {
   GAUNT_LANES void Write(const Out& out) const {
     for (size_t word = 0; word < Words::kCount; ++word) out(word, words_(word));
   }
+  GAUNT_LANES auto Word(size_t word) const { return words_(word); }
+  GAUNT_LANES void SetWord(size_t word, typename K::V bits) { words_(word, bits); }
   GAUNT_LANES auto Read() const {
     const auto planes = words_.Planes();
     return RecordIn<Words, decltype(planes)>{planes};

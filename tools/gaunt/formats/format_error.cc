@@ -99,12 +99,13 @@ FormatError ErrorOfOrder(uint32_t order, const Light& light) {
   return ErrorOf(Truncate(order, light), order, light);
 }
 
-FormatError ErrorOfFormat(uint32_t format, const Light& light) {
+FormatError ErrorOfFormat(uint32_t format, bool refined, const Light& light) {
   const gaunt_format_properties properties = PropertiesOfFormat(format);
   std::vector<float> model = Truncate(properties.order, light);
   std::vector<unsigned char> record(properties.bytes);
   const gaunt_view view = Interleaved(model, model.size());
-  Check(gaunt_probe_encode(format, 1, &view, record.data(), record.size(), nullptr));
+  const auto encode = refined ? gaunt_probe_encode_refined : gaunt_probe_encode;
+  Check(encode(format, 1, &view, record.data(), record.size(), nullptr));
   Check(gaunt_probe_decode(format, 1, record.data(), record.size(), &view));
   return ErrorOf(model, properties.order, light);
 }

@@ -26,8 +26,8 @@ Light ProjectLight(const gaunt_image& panorama);
 
 // Of the bands below an order as they are.
 FormatError ErrorOfOrder(uint32_t order, const Light& light);
-// Of what a format's decoder gives.
-FormatError ErrorOfFormat(uint32_t format, const Light& light);
+// Of what a format's decoder gives, by gaunt_probe_encode() or gaunt_probe_encode_refined().
+FormatError ErrorOfFormat(uint32_t format, bool refined, const Light& light);
 
 }  // namespace gaunt::tool
 

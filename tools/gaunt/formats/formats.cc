@@ -17,6 +17,7 @@ namespace {
 
 struct FormatsOptions {
   std::vector<std::string> panoramas;
+  bool refined = false;
   bool json = false;
 };
 
@@ -47,13 +48,15 @@ double MeanLargest(const Row& row) {
 }
 
 // Orders first, so that what a format adds can be told; then formats by size.
-std::vector<Row> MakeRows(const std::vector<NamedLight>& lights) {
+std::vector<Row> MakeRows(const std::vector<NamedLight>& lights, bool refined) {
   std::vector<Row> rows;
   std::vector<uint32_t> orders;
   for (uint32_t format = 1; format <= FormatNames().size(); ++format) {
     const gaunt_format_properties properties = PropertiesOfFormat(format);
     Row row = {NameOfFormat(format), properties.bytes, properties.order, {}};
-    for (const NamedLight& light : lights) row.errors.push_back(ErrorOfFormat(format, light.light));
+    for (const NamedLight& light : lights) {
+      row.errors.push_back(ErrorOfFormat(format, refined, light.light));
+    }
     rows.push_back(row);
     orders.push_back(properties.order);
   }
@@ -134,7 +137,7 @@ void RunFormats(const FormatsOptions& options) {
       bar.Set(static_cast<double>(lights.size()) / static_cast<double>(options.panoramas.size()));
     }
   }
-  const std::vector<Row> rows = MakeRows(lights);
+  const std::vector<Row> rows = MakeRows(lights, options.refined);
   if (options.json) return PrintRows(lights, rows);
   PrintText(lights, rows);
 }
@@ -146,6 +149,7 @@ void AddFormats(CLI::App& app) {
       "formats", "List the packed formats of probes, and what they lose of panoramas' irradiance");
   const auto o = std::make_shared<FormatsOptions>();
   command->add_option("panorama", o->panoramas, "EXR or HDR files")->check(NotEmpty);
+  command->add_flag("--refine", o->refined, "Encode with refinement, which takes longer");
   command->add_flag("--json", o->json, "Print JSON");
   command->callback([o] { RunFormats(*o); });
 }
