@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -52,8 +53,8 @@ double Norm(const float* values, size_t n) {
 
 // A field of all items: |got - wanted| <= kTolerance * scale(item, plane).
 template <class Item, size_t n, class Scale>
-void ExpectClose(const char* name, const std::vector<Item>& got, const std::vector<Item>& wanted,
-                 float (Item::*field)[n], const Scale& scale) {
+void ExpectClose(const std::string& name, const std::vector<Item>& got,
+                 const std::vector<Item>& wanted, float (Item::*field)[n], const Scale& scale) {
   double worst = 0.0;
   size_t at = 0;
   for (size_t i = 0; i < got.size(); ++i) {
@@ -113,15 +114,19 @@ class Shader : public testing::TestWithParam<const char*> {
 
   template <class Out, class In>
   std::vector<Out> Run(const std::string& kernel, const std::vector<In>& in) {
+    return Run<Out>(kernel, in.size(), in.data(), in.size() * sizeof(In));
+  }
+  template <class Out>
+  std::vector<Out> Run(const std::string& kernel, size_t items, const void* in, size_t in_bytes) {
     const std::string path = std::string(GAUNT_SHADER_DIR "/") + kernel + "." + GetParam();
     const std::string source = ReadFile(path + ".comp");
     EXPECT_FALSE(source.empty()) << path;
     Out nothing;
     float* const values = reinterpret_cast<float*>(&nothing);
     std::fill(values, values + sizeof(Out) / sizeof(float), std::nanf(""));
-    std::vector<Out> out(in.size(), nothing);
-    EXPECT_EQ(compute_->Run(source, in.size() / kItemsPerGroup, in.data(), in.size() * sizeof(In),
-                            out.data(), out.size() * sizeof(Out)),
+    std::vector<Out> out(items, nothing);
+    EXPECT_EQ(compute_->Run(source, items / kItemsPerGroup, in, in_bytes, out.data(),
+                            out.size() * sizeof(Out)),
               "");
     return out;
   }
@@ -223,6 +228,7 @@ struct Zh3Out {
   float curve[3];
   float irradiance[3];
   float irradiance_axes[3];
+  float expanded[27];
 };
 
 // What a naive shader fails on, in seven items of eight.
@@ -329,6 +335,7 @@ TEST_P(Shader, Zh3AsTheLibrary) {
   gaunt_view_interleaved(expanded.data(), 27, &f);
   gaunt_view_interleaved(expanded_axes.data(), 27, &f_axes);
   ASSERT_EQ(gaunt_irradiance_evaluate(3, 3, kCount, &f, &normals, &irradiance), GAUNT_OK);
+  for (size_t i = 0; i < kCount; ++i) std::copy_n(&expanded[27 * i], 27, wanted[i].expanded);
   ASSERT_EQ(gaunt_irradiance_evaluate(3, 3, kCount, &f_axes, &normals, &irradiance_axes), GAUNT_OK);
 
   const std::vector<Zh3Out> got = Run<Zh3Out>("zh3", in);
@@ -344,6 +351,8 @@ TEST_P(Shader, Zh3AsTheLibrary) {
               [&](size_t i, size_t c) { return std::max(0.0, double{in[i].sh2[4 * c]}); });
   ExpectClose("zh3_irradiance", got, wanted, &Zh3Out::irradiance, norm_3);
   ExpectClose("zh3_irradiance_axes", got, wanted, &Zh3Out::irradiance_axes, norm_3);
+  ExpectClose("zh3_expand", got, wanted, &Zh3Out::expanded,
+              [&](size_t i, size_t p) { return norm_3(i, p / 9); });
 
   // The shared axis is the library's dominant light, wherever that has a direction.
   std::vector<Zh3Out> library(kCount);
@@ -368,52 +377,120 @@ TEST_P(Shader, Zh3AsTheLibrary) {
   ExpectClose("zh3_hallucinate_axes", got, library, &Zh3Out::k2_axes, norm);
   ExpectClose("zh3_irradiance", got, library, &Zh3Out::irradiance, norm_3);
   ExpectClose("zh3_irradiance_axes", got, library, &Zh3Out::irradiance_axes, norm_3);
+  const gaunt_view sh3 = View(library, &Zh3Out::expanded);
+  ASSERT_EQ(gaunt_zh3_expand(GAUNT_ZH3_AXIS_LUMINANCE, kCount, &sh2, &k2, &sh3), GAUNT_OK);
+  ExpectClose("zh3_expand", got, library, &Zh3Out::expanded,
+              [&](size_t i, size_t p) { return norm_3(i, p / 9); });
 }
 
 // ---- packed probes -----------------------------------------------------------------------------
 
+// An item, and, behind all items, records of a format one after the other, wherever they begin.
 struct ProbeIn {
-  uint32_t words[7];
+  uint32_t format;
+  uint32_t at;  // where the record begins, in bytes
   float normal[3];
 };
 struct ProbeOut {
-  float radiance[27];
+  float radiance[75];
   float irradiance[3];
 };
 
+// What shaders decode: coefficients below `equal` exactly as gaunt_probe_decode().
+struct Decoded {
+  const char* name;
+  uint32_t format;
+  size_t equal;
+};
+constexpr size_t kProbes = 16 * kItemsPerGroup;  // of each format
+constexpr Decoded kDecoded[] = {{"sh3_28", GAUNT_FORMAT_SH3_28, 9},
+                                {"sh2_13", GAUNT_FORMAT_SH2_13, 4},
+                                {"sh3_32", GAUNT_FORMAT_SH3_32, 9},
+                                {"sh5_55", GAUNT_FORMAT_SH5_55, 25},
+                                {"sh3_f16", GAUNT_FORMAT_SH3_F16, 9},
+                                {"rgb9e5", GAUNT_FORMAT_RGB9E5, 1},
+                                {"sh3_luma_12", GAUNT_FORMAT_SH3_LUMA_12, 9},
+                                {"sh3_chroma_16", GAUNT_FORMAT_SH3_CHROMA_16, 1},
+                                {"sh3_chroma_21", GAUNT_FORMAT_SH3_CHROMA_21, 1},
+                                {"zh3_16", GAUNT_FORMAT_ZH3_16, 4},
+                                {"zh3_luma_8", GAUNT_FORMAT_ZH3_LUMA_8, 4}};
+
+gaunt_format_properties PropertiesOf(uint32_t format) {
+  gaunt_format_properties properties = {};
+  properties.struct_size = sizeof(properties);
+  EXPECT_EQ(gaunt_format_info(format, &properties), GAUNT_OK);
+  return properties;
+}
+
+// Random bytes, and extremes of those behind RGB9E5; every exponent of that, black, and the largest
+// means.
+void MakeRecord(Random& random, size_t item, size_t bytes, uint8_t* record) {
+  const size_t kind = item / 32 % 8;
+  constexpr uint8_t kEdges[8] = {0, 0, 0, 0x80, 0x81, 0x7F, 0, 0xFF};
+  for (size_t k = 0; k < bytes; ++k) {
+    record[k] = k < 4 || kind < 3 ? static_cast<uint8_t>(random.Bits()) : kEdges[kind];
+  }
+  constexpr uint32_t kMantissas = (1u << 27) - 1;
+  uint32_t means;
+  std::memcpy(&means, record, sizeof(means));
+  means = (means & kMantissas) | static_cast<uint32_t>(item % 32) << 27;
+  if (kind == 1) means &= ~kMantissas;
+  if (kind == 2) means |= kMantissas;
+  std::memcpy(record, &means, sizeof(means));
+}
+
 TEST_P(Shader, DecodesAsTheLibrary) {
   Random random(3);
-  std::vector<ProbeIn> in(kCount);
-  std::vector<ProbeOut> wanted(kCount);
-  for (size_t i = 0; i < kCount; ++i) {
-    MakeDirection(random, i, in[i].normal);
-    for (uint32_t& word : in[i].words) word = static_cast<uint32_t>(random.Bits());
-    // Every exponent; black, the largest means; the extreme ratios.
-    constexpr uint32_t kMantissas = (1u << 27) - 1;
-    const size_t kind = i / 32 % 8;
-    uint32_t& means = in[i].words[0];
-    means = (means & kMantissas) | static_cast<uint32_t>(i % 32) << 27;
-    if (kind == 1) means &= ~kMantissas;
-    if (kind == 2) means |= kMantissas;
-    constexpr uint32_t kRatios[8] = {0,           0,           0, 0x80808080u,
-                                     0x81818181u, 0x7F7F7F7Fu, 0, 0xFFFFFFFFu};
-    if (kind >= 3) std::fill(in[i].words + 1, in[i].words + 7, kRatios[kind]);
-  }
-  const gaunt_view normals = View(in, &ProbeIn::normal);
-  const gaunt_view radiance = View(wanted, &ProbeOut::radiance);
-  const gaunt_view irradiance = View(wanted, &ProbeOut::irradiance);
-  ASSERT_EQ(gaunt_probe_decode(GAUNT_FORMAT_SH3_28, kCount, in.data(), sizeof(ProbeIn), &radiance),
-            GAUNT_OK);
-  ASSERT_EQ(gaunt_irradiance_evaluate(3, 3, kCount, &radiance, &normals, &irradiance), GAUNT_OK);
-
-  const std::vector<ProbeOut> got = Run<ProbeOut>("probe", in);
-  for (size_t i = 0; i < kCount; ++i) {
-    for (size_t p = 0; p < 27; ++p) {
-      ASSERT_EQ(got[i].radiance[p], wanted[i].radiance[p]) << "item " << i << " plane " << p;
+  const size_t items = std::size(kDecoded) * kProbes;
+  std::vector<ProbeIn> in(items);
+  std::vector<uint8_t> records;
+  std::vector<ProbeOut> wanted(items);
+  for (size_t f = 0; f < std::size(kDecoded); ++f) {
+    SCOPED_TRACE(kDecoded[f].name);
+    const uint32_t format = kDecoded[f].format;
+    const gaunt_format_properties properties = PropertiesOf(format);
+    const size_t begin = records.size();
+    records.resize(begin + kProbes * properties.bytes);
+    for (size_t i = 0; i < kProbes; ++i) {
+      const size_t at = begin + i * properties.bytes;
+      MakeRecord(random, i, properties.bytes, &records[at]);
+      ProbeIn& item = in[f * kProbes + i];
+      item.format = format;
+      item.at = static_cast<uint32_t>(items * sizeof(ProbeIn) + at);
+      MakeDirection(random, i, item.normal);
     }
+    constexpr size_t kIn = sizeof(ProbeIn), kOut = sizeof(ProbeOut), kFloat = sizeof(float);
+    const gaunt_view normals = {in[f * kProbes].normal, kIn, kFloat, 0, 0};
+    const gaunt_view radiance = {wanted[f * kProbes].radiance, kOut, kFloat, 0, 0};
+    const gaunt_view irradiance = {wanted[f * kProbes].irradiance, kOut, kFloat, 0, 0};
+    ASSERT_EQ(gaunt_probe_decode(format, kProbes, &records[begin], properties.bytes, &radiance),
+              GAUNT_OK);
+    ASSERT_EQ(
+        gaunt_irradiance_evaluate(properties.order, 3, kProbes, &radiance, &normals, &irradiance),
+        GAUNT_OK);
   }
-  ExpectClose("decoded irradiance", got, wanted, &ProbeOut::irradiance,
-              [&](size_t i, size_t c) { return Norm(wanted[i].radiance + 9 * c, 9); });
+  // As gaunt_word() asks for, a word more than the records fill.
+  std::vector<uint8_t> buffer(items * sizeof(ProbeIn) + (records.size() + 3) / 4 * 4 + 4, 0xFF);
+  std::memcpy(buffer.data(), in.data(), items * sizeof(ProbeIn));
+  std::copy(records.begin(), records.end(), buffer.begin() + items * sizeof(ProbeIn));
+
+  const std::vector<ProbeOut> all = Run<ProbeOut>("probe", items, buffer.data(), buffer.size());
+  for (size_t f = 0; f < std::size(kDecoded); ++f) {
+    const std::string name = kDecoded[f].name;
+    const size_t order = PropertiesOf(kDecoded[f].format).order, size = order * order;
+    const std::vector<ProbeOut> got(&all[f * kProbes], &all[f * kProbes] + kProbes);
+    const std::vector<ProbeOut> library(&wanted[f * kProbes], &wanted[f * kProbes] + kProbes);
+    const auto largest = [&](size_t i, size_t coefficients) {  // of a channel: colours mix them
+      const float* const v = library[i].radiance;
+      return std::max(
+          {Norm(v, coefficients), Norm(v + size, coefficients), Norm(v + 2 * size, coefficients)});
+    };
+    ExpectClose(name, got, library, &ProbeOut::radiance, [&](size_t i, size_t p) {
+      return p % size < kDecoded[f].equal ? 0.0 : probe::kAxialRange * largest(i, 1);
+    });
+    ExpectClose(name + " irradiance", got, library, &ProbeOut::irradiance,
+                [&](size_t i, size_t) { return largest(i, size); });
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(, Shader, testing::Values("glsl", "hlsl"),
@@ -429,8 +506,8 @@ class ShaderText : public testing::TestWithParam<const char*> {
 TEST_P(ShaderText, ConstantsAreTheLibrarys) {
   const auto basis = [](size_t i, double x, double y, double z) {
     const double d[3] = {x, y, z};
-    double values[9];
-    basis::EvalReference(3, d, values);
+    double values[25];
+    basis::EvalReference(5, d, values);
     return values[i];
   };
   const double diagonal = std::sqrt(0.5);
@@ -446,6 +523,11 @@ TEST_P(ShaderText, ConstantsAreTheLibrarys) {
       {"C2", Irradiance::kProduct},
       {"C3", -Irradiance::kOffset},
       {"C4", Irradiance::kDifference},
+      {"C40", -evaluate::CosineBand(4) * basis(20, 0, 0, 1) / 8.0},
+      {"C41", evaluate::CosineBand(4) * basis(21, diagonal, 0, diagonal) * 4.0},
+      {"C42", evaluate::CosineBand(4) * basis(22, 1, 0, 0)},
+      {"C43", evaluate::CosineBand(4) * basis(23, diagonal, 0, diagonal) * 4.0},
+      {"C44", -evaluate::CosineBand(4) * basis(24, 1, 0, 0)},
       {"COSINE_2", evaluate::CosineBand(2)},
       {"MAX_RATIO", probe::Bound(1)},
       {"LUMINANCE_R", light::kLuminance[0]},
@@ -453,9 +535,17 @@ TEST_P(ShaderText, ConstantsAreTheLibrarys) {
       {"LUMINANCE_B", light::kLuminance[2]},
       {"ZH3_A", 0.08},
       {"ZH3_B", 0.6},
+      {"ZONAL_2", std::sqrt(4.0 * kPi / 5.0)},
       {"STEP_1", probe::Bound(1) / 127.0},
       {"STEP_2", probe::Bound(4) / 127.0},
-      {"STEP_20", probe::Bound(6) / 127.0}};
+      {"STEP_20", probe::Bound(6) / 127.0},
+      {"STEP_40", probe::Bound(20) / 127.0},
+      {"STEP_41", probe::Bound(21) / 127.0},
+      {"STEP_42", probe::Bound(22) / 127.0},
+      {"STEP_43", probe::Bound(23) / 127.0},
+      {"STEP_44", probe::Bound(24) / 127.0},
+      {"COLOUR_1", probe::SharedFormat::ColourRange(1)},
+      {"COLOUR_2", probe::SharedFormat::ColourRange(4)}};
   size_t found = 0;
   std::istringstream lines(text_);
   for (std::string line; std::getline(lines, line);) {

@@ -5,21 +5,23 @@
 //
 //   float4 light[7];                  // in a cbuffer: gaunt_irradiance_constants(), per object
 //   float3 diffuse = albedo * max(gaunt_irradiance(light, normal), 0.0);
-// or, from a probe of 28 bytes in a StructuredBuffer<uint>,
+// or, from a packed probe in a StructuredBuffer<uint>, here of 28 bytes,
 //   uint words[7]; for (int k = 0; k < 7; ++k) words[k] = probes[7 * probe + k];
 //   float3 L[9]; gaunt_decode_sh3_28(words, L);
 //   float3 diffuse = albedo * max(gaunt_sh3_irradiance(L, normal), 0.0);
 //
 // CONVENTIONS, as in gaunt.h
-//   L[i]        coefficient i = l(l+1) + m of red, green, blue: 4 for order 2, 9 for order 3
+//   L[i]        coefficient i = l(l+1) + m of red, green, blue: 4 for order 2, 9 for 3, 25 for 5
 //   sign        Sloan's: y_1 = sqrt(3/(4 pi)) (-y, z, -x); orthonormal; z is the zonal axis
 //   directions  unit vectors, right-handed axes
 //   quantity    coefficients are those of radiance; "irradiance" in a name means that the result is
 //               E/pi: times the albedo it is what a diffuse surface sends out
 //   negative    truncated SH can be below 0: clamp what must be a colour
 //   accuracy    1e-6 of the norm of a channel's coefficients, where 32-bit floats are rounded as in
-//               IEEE 754; decoding gives exactly the values of gaunt_probe_decode(). Tested on
-//               Mesa's software renderer. A NaN or an infinity may give anything.
+//               IEEE 754. Decoding gives exactly the values of gaunt_probe_decode(), except for the
+//               ratios of GAUNT_FORMAT_SH3_CHROMA_* and band 2 of ZH3 when it is written out: 1e-6
+//               of sqrt(5) times the largest mean, for ZH3 divided by s of gaunt_zh3_solve().
+//               Tested on Mesa's software renderer. A NaN or an infinity may give anything.
 #ifndef GAUNT_HLSL
 #define GAUNT_HLSL
 
@@ -39,6 +41,13 @@ static const float GAUNT_C2 = 0.273137107648020;  // sqrt(15) / (8 sqrt(pi))
 static const float GAUNT_C3 = 0.078847891313130;  // sqrt(5) / (16 sqrt(pi))
 static const float GAUNT_C4 = 0.136568553824010;  // C2 / 2
 
+// The same of band 4, times -A_4 / pi = 1/24.
+static const float GAUNT_C40 = 0.004407731121467;  // 1 / (128 sqrt(pi))
+static const float GAUNT_C41 = 0.027876939314887;  // sqrt(5 / 2) / (32 sqrt(pi))
+static const float GAUNT_C42 = 0.019711972828283;  // sqrt(5) / (64 sqrt(pi))
+static const float GAUNT_C43 = 0.073755448740830;  // sqrt(35 / 2) / (32 sqrt(pi))
+static const float GAUNT_C44 = 0.026076488977049;  // sqrt(35) / (128 sqrt(pi))
+
 // Band 2 of the clamped cosine, A_2 / pi.
 static const float GAUNT_COSINE_2 = 0.25;
 
@@ -54,10 +63,22 @@ static const float GAUNT_LUMINANCE_B = 0.0722;
 static const float GAUNT_ZH3_A = 0.08;
 static const float GAUNT_ZH3_B = 0.6;
 
-// A step of the ratios L_i / L_0 in GAUNT_FORMAT_SH3_28: their bound / 127.
+// What brings y_2m(axis) to the zonal function of band 2 and norm 1 about the axis.
+static const float GAUNT_ZONAL_2 = 1.585330919042404;  // sqrt(4 pi / 5)
+
+// A step of the ratios L_i / L_0 of packed probes in bytes: their bound / 127.
 static const float GAUNT_STEP_1 = 0.013638195335188;   // i = 1..3: sqrt(3) / 127
 static const float GAUNT_STEP_2 = 0.015247965929950;   // i = 4, 5, 7, 8: sqrt(15) / 2 / 127
 static const float GAUNT_STEP_20 = 0.017606834468502;  // i = 6: sqrt(5) / 127
+static const float GAUNT_STEP_40 = 0.023622047244094;  // i = 20: 3 / 127
+static const float GAUNT_STEP_41 = 0.019721150399911;  // i = 19, 21
+static const float GAUNT_STEP_42 = 0.016978018951770;  // i = 18, 22: 27 sqrt(5) / 28 / 127
+static const float GAUNT_STEP_43 = 0.016046061849865;  // i = 17, 23: 9 sqrt(52.5) / 32 / 127
+static const float GAUNT_STEP_44 = 0.017468739517026;  // i = 16, 24: 3 sqrt(35) / 8 / 127
+
+// The largest colours of the ratios in GAUNT_FORMAT_SH3_CHROMA_*.
+static const float GAUNT_COLOUR_1 = 0.35;  // i = 1..3
+static const float GAUNT_COLOUR_2 = 0.25;  // i = 4..8
 
 // ---- basis and radiance ------------------------------------------------------------------------
 
@@ -110,6 +131,25 @@ float3 gaunt_sh3_irradiance(float3 L[9], float3 n) {
   return GAUNT_C0 * L[0] + GAUNT_C1 * (n.z * L[2] - n.y * L[1] - n.x * L[3]) +
          GAUNT_C2 * (n.x * n.y * L[4] - n.y * n.z * L[5] - n.z * n.x * L[7]) +
          GAUNT_C3 * (3.0 * n.z * n.z - 1.0) * L[6] + GAUNT_C4 * (n.x * n.x - n.y * n.y) * L[8];
+}
+
+// E/pi of radiance of order 5, sum_i (A_l / pi) L_i y_i(n), with A_l / pi = 1, 2/3, 1/4, 0, -1/24.
+// Source: Ramamoorthi and Hanrahan 2001; Sloan 2008, appendix A2.
+float3 gaunt_sh5_irradiance(float3 L[25], float3 n) {
+  float3 sh3[9];
+  [unroll] for (int i = 0; i < 9; ++i) sh3[i] = L[i];
+  float xx = n.x * n.x;
+  float yy = n.y * n.y;
+  float zz = n.z * n.z;
+  float xy = n.x * n.y;
+  float3 band = GAUNT_C40 * (5.0 * zz * (7.0 * zz - 6.0) + 3.0) * L[20] -
+                GAUNT_C41 * (7.0 * zz - 3.0) * n.z * (n.y * L[19] + n.x * L[21]) +
+                GAUNT_C42 * (7.0 * zz - 1.0) * (2.0 * xy * L[18] + (xx - yy) * L[22]) -
+                GAUNT_C43 * n.z *
+                    (n.y * (3.0 * xx - yy) * L[17] + n.x * (xx - 3.0 * yy) * L[23]) +
+                GAUNT_C44 * (4.0 * xy * (xx - yy) * L[16] +
+                             ((xx - yy) * (xx - yy) - 4.0 * xy * xy) * L[24]);
+  return gaunt_sh3_irradiance(sh3, n) - band;
 }
 
 // Radiance of order 3 to the 7 float4 A_r A_g A_b B_r B_g B_b C that gaunt_irradiance() takes, for
@@ -209,6 +249,15 @@ float3 gaunt_zh3_hallucinate_axes(float3 L[4], float3 axes[3]) {
   return gaunt_zh3_curve(L[0], along, GAUNT_ZH3_A, GAUNT_ZH3_B);
 }
 
+// ZH3 with a shared axis as order 3: band 2 is k2 times the zonal function of norm 1 about it.
+void gaunt_zh3_expand(float3 L[4], float3 k2, float3 axis, out float3 sh3[9]) {
+  float y[9];
+  gaunt_basis_3(axis, y);
+  float3 size = GAUNT_ZONAL_2 * dot(axis, axis) * k2;  // 0 for a zero axis
+  [unroll] for (int i = 0; i < 4; ++i) sh3[i] = L[i];
+  [unroll] for (int i = 4; i < 9; ++i) sh3[i] = y[i] * size;
+}
+
 // E/pi of ZH3 with a shared axis: that of order 2, and k2 z(n) / 4.
 float3 gaunt_zh3_irradiance(float3 L[4], float3 k2, float3 axis, float3 n) {
   return gaunt_sh2_irradiance(L, n) + GAUNT_COSINE_2 * gaunt_zh3_zonal(axis, n) * k2;
@@ -222,29 +271,216 @@ float3 gaunt_zh3_irradiance_axes(float3 L[4], float3 k2, float3 axes[3], float3 
 }
 
 // ---- packed probes -----------------------------------------------------------------------------
+// Records of the formats of gaunt.h, to radiance:
+//   gaunt_decode_rgb9e5         GAUNT_FORMAT_RGB9E5          1 word    L_0
+//   gaunt_decode_sh2_13         GAUNT_FORMAT_SH2_13          4 words   order 2
+//   gaunt_decode_sh3_28         GAUNT_FORMAT_SH3_28          7 words   order 3
+//   gaunt_decode_sh3_32         GAUNT_FORMAT_SH3_32          8 words   order 3
+//   gaunt_decode_sh5_55         GAUNT_FORMAT_SH5_55         14 words   order 5
+//   gaunt_decode_sh3_f16        GAUNT_FORMAT_SH3_F16        14 words   order 3
+//   gaunt_decode_sh3_luma_12    GAUNT_FORMAT_SH3_LUMA_12     3 words   order 3
+//   gaunt_decode_sh3_chroma_16  GAUNT_FORMAT_SH3_CHROMA_16   4 words   order 3
+//   gaunt_decode_sh3_chroma_21  GAUNT_FORMAT_SH3_CHROMA_21   6 words   order 3
+//   gaunt_decode_zh3_16         GAUNT_FORMAT_ZH3_16          4 words   order 2 and k2
+//   gaunt_decode_zh3_luma_8     GAUNT_FORMAT_ZH3_LUMA_8      2 words   order 2 and k2
+// Words are little-endian uints, as many as a record fills: what is above the record in the last is
+// ignored. In a buffer of uints, with records a multiple of 4 bytes apart, they are
+//   words[k] = probes[stride / 4u * probe + k];
+// and with records any number of bytes apart
+//   uint at = stride * probe;
+//   words[k] = gaunt_word(at, probes[at / 4u + k], probes[at / 4u + k + 1u]);
+// for which the buffer has one uint more than the records fill.
+//
+// ZH3 is lit as it is, or written out for what takes order 3:
+//   float3 L[4], k2; gaunt_decode_zh3_luma_8(words, L, k2);
+//   float3 axis = gaunt_zh3_axis(L);
+//   float3 diffuse = albedo * max(gaunt_zh3_irradiance(L, k2, axis, normal), 0.0);
+//   float3 sh3[9]; gaunt_zh3_expand(L, k2, axis, sh3);
 
-// Byte k of a word, 0 the lowest, as a signed number.
-float gaunt_signed_byte(uint word, int k) {
-  return float(int(word << uint(24 - 8 * k)) >> 24);
+// The word that begins at byte `at` of a buffer, of uint at / 4 and the next.
+uint gaunt_word(uint at, uint low, uint high) {
+  uint bit = 8u * (at & 3u);
+  return low >> bit | high << (24u - bit) << 8u;
 }
 
-// GAUNT_FORMAT_SH3_28 to radiance of order 3, as gaunt_probe_decode() does. words are the 28
-// bytes as little-endian uints:
-//   word 0      RGB9E5 of L_0: mantissas in bits 0-8, 9-17, 18-26, exponent e in bits 27-31;
-//               value = mantissa 2^(e - 24)
-//   words 1, 2  q_1 .. q_8 of red as signed bytes; words 3, 4 of green; words 5, 6 of blue;
-//               L_i = L_0 bound_i q_i / 127
-void gaunt_decode_sh3_28(uint words[7], out float3 L[9]) {
-  float unit = asfloat(((words[0] >> 27) + 103u) << 23);  // 2^(e - 24)
-  L[0] = unit * float3(uint3(words[0], words[0] >> 9, words[0] >> 18) & 511u);
-  [unroll] for (int i = 1; i < 9; ++i) {
-    int word = (i - 1) / 4;
-    int k = (i - 1) % 4;
-    float3 q = float3(gaunt_signed_byte(words[1 + word], k), gaunt_signed_byte(words[3 + word], k),
-                      gaunt_signed_byte(words[5 + word], k));
-    float size = i < 4 ? GAUNT_STEP_1 : i == 6 ? GAUNT_STEP_20 : GAUNT_STEP_2;
-    L[i] = (L[0] * q) * size;  // the first product is exact
+// A field of a record, `width` bits from `bit` up, as a signed number. word is the one that has it,
+// words[bit / 32].
+float gaunt_signed_bits(uint word, int bit, int width) {
+  return float(int(word << uint(32 - width - (bit & 31))) >> uint(32 - width));
+}
+
+// Bytes of three words, such as ratios of red, green and blue.
+float3 gaunt_signed_bytes(uint r, uint g, uint b, int3 bits) {
+  return float3(gaunt_signed_bits(r, bits.r, 8), gaunt_signed_bits(g, bits.g, 8),
+                gaunt_signed_bits(b, bits.b, 8));
+}
+
+// 2^e of a normal float.
+float gaunt_power_of_two(int e) { return asfloat(uint(e + 127) << 23u); }
+
+// The lower 16 bits of a word as a half float, whose exponent 31 is one like the others.
+float gaunt_half(uint word) {
+  int exponent = int(word >> 10u & 31u);
+  uint mantissa = (word & 1023u) | (exponent > 0 ? 1024u : 0u);
+  float size = gaunt_power_of_two(max(exponent, 1) - 25) * float(mantissa);
+  return (word & 0x8000u) != 0u ? -size : size;
+}
+
+// RGB9E5, of L_0: mantissas in bits 0-8, 9-17, 18-26, exponent e in bits 27-31;
+// value = mantissa 2^(e - 24).
+float3 gaunt_decode_rgb9e5(uint word) {
+  return gaunt_power_of_two(int(word >> 27u) - 24) *
+         float3(uint3(word, word >> 9u, word >> 18u) & 511u);
+}
+
+// The step of the ratio L_i / L_0, of orders 1 to 3 and 5.
+float gaunt_ratio_step(int i) {
+  if (i < 9) return i < 4 ? GAUNT_STEP_1 : i == 6 ? GAUNT_STEP_20 : GAUNT_STEP_2;
+  int m = abs(i - 20);
+  if (m < 2) return m == 0 ? GAUNT_STEP_40 : GAUNT_STEP_41;
+  return m == 2 ? GAUNT_STEP_42 : m == 3 ? GAUNT_STEP_43 : GAUNT_STEP_44;
+}
+
+// L_i of its ratios q as bytes: L_0 bound_i q / 127.
+float3 gaunt_ratios(float3 L0, float3 q, int i) {
+  return (L0 * q) * gaunt_ratio_step(i);  // the first product is exact
+}
+
+// L_i of a ratio and two colours that the channels share: q of v, o and g, and the largest that v
+// and the colours can be.
+float3 gaunt_coloured_ratios(float3 L0, float3 q, float most, float most_colour, int i) {
+  float luma = 0.25 * (L0.r + 2.0 * L0.g + L0.b);
+  float2 og = q.yz * abs(q.yz);
+  float3 colour = luma * float3(og.x - og.y, og.y, -og.x - og.y);  // exact, as L0 * q.x is
+  float range = i < 4 ? GAUNT_COLOUR_1 : GAUNT_COLOUR_2;
+  return (127.0 * gaunt_ratio_step(i)) *
+         ((L0 * q.x) * (1.0 / most) + colour * (range / (most_colour * most_colour)));
+}
+
+// GAUNT_FORMAT_SH2_13: RGB9E5; bytes 4..6 are q_1 .. q_3 of red, 7..9 of green, 10..12 of blue.
+void gaunt_decode_sh2_13(uint words[4], out float3 L[4]) {
+  L[0] = gaunt_decode_rgb9e5(words[0]);
+  [unroll] for (int i = 1; i < 4; ++i) {
+    int3 at = int3(24, 48, 72) + 8 * i;
+    float3 q = gaunt_signed_bytes(words[at.r / 32], words[at.g / 32], words[at.b / 32], at);
+    L[i] = gaunt_ratios(L[0], q, i);
   }
+}
+
+// Order 3 of L_0 and ratios: words 1, 2 are q_1 .. q_8 of red; 3, 4 of green; 5, 6 of blue.
+void gaunt_decode_ratios_3(uint words[7], float3 L0, out float3 L[9]) {
+  L[0] = L0;
+  [unroll] for (int i = 1; i < 9; ++i) {
+    int k = (i - 1) / 4;
+    int at = 8 * (i - 1);
+    float3 q = gaunt_signed_bytes(words[1 + k], words[3 + k], words[5 + k], int3(at, at, at));
+    L[i] = gaunt_ratios(L[0], q, i);
+  }
+}
+
+// GAUNT_FORMAT_SH3_28: word 0 is RGB9E5.
+void gaunt_decode_sh3_28(uint words[7], out float3 L[9]) {
+  gaunt_decode_ratios_3(words, gaunt_decode_rgb9e5(words[0]), L);
+}
+
+// GAUNT_FORMAT_SH3_32: words 0, 1 are half floats of red, green and blue.
+void gaunt_decode_sh3_32(uint words[8], out float3 L[9]) {
+  uint last[7];
+  [unroll] for (int k = 0; k < 7; ++k) last[k] = words[1 + k];
+  float3 L0 = float3(gaunt_half(words[0]), gaunt_half(words[0] >> 16u), gaunt_half(words[1]));
+  gaunt_decode_ratios_3(last, L0, L);
+}
+
+// GAUNT_FORMAT_SH5_55, whose band 3 is 0: RGB9E5; bytes 4..20 are q_1 .. q_8, q_16 .. q_24 of red,
+// 21..37 of green, 38..54 of blue.
+void gaunt_decode_sh5_55(uint words[14], out float3 L[25]) {
+  L[0] = gaunt_decode_rgb9e5(words[0]);
+  [unroll] for (int i = 1; i < 25; ++i) {
+    if (i >= 9 && i < 16) {
+      L[i] = float3(0.0, 0.0, 0.0);
+    } else {
+      int3 at = int3(24, 160, 296) + 8 * (i < 9 ? i : i - 7);
+      float3 q = gaunt_signed_bytes(words[at.r / 32], words[at.g / 32], words[at.b / 32], at);
+      L[i] = gaunt_ratios(L[0], q, i);
+    }
+  }
+}
+
+// GAUNT_FORMAT_SH3_F16: half floats, 9 of red, 9 of green and 9 of blue.
+void gaunt_decode_sh3_f16(uint words[14], out float3 L[9]) {
+  [unroll] for (int i = 0; i < 9; ++i) {
+    int3 at = int3(0, 9, 18) + i;
+    L[i] = float3(gaunt_half(words[at.r / 2] >> uint(16 * (at.r & 1))),
+                  gaunt_half(words[at.g / 2] >> uint(16 * (at.g & 1))),
+                  gaunt_half(words[at.b / 2] >> uint(16 * (at.b & 1))));
+  }
+}
+
+// GAUNT_FORMAT_SH3_LUMA_12: RGB9E5; words 1, 2 are q_1 .. q_8 of all channels.
+void gaunt_decode_sh3_luma_12(uint words[3], out float3 L[9]) {
+  L[0] = gaunt_decode_rgb9e5(words[0]);
+  [unroll] for (int i = 1; i < 9; ++i) {
+    int at = 24 + 8 * i;
+    float q = gaunt_signed_bits(words[at / 32], at, 8);
+    L[i] = gaunt_ratios(L[0], float3(q, q, q), i);
+  }
+}
+
+// GAUNT_FORMAT_SH3_CHROMA_16: RGB9E5; word i has v, o and g of i = 1..3 in bits 0-6, 7-11, 12-16,
+// and above them, as listed, v and o of i = 4..8.
+void gaunt_decode_sh3_chroma_16(uint words[4], out float3 L[9]) {
+  static const int kRatio[5] = {49, 58, 81, 90, 113};
+  static const int kOrange[5] = {55, 119, 87, 122, 125};
+  L[0] = gaunt_decode_rgb9e5(words[0]);
+  [unroll] for (int i = 1; i < 4; ++i) {
+    float3 q = float3(gaunt_signed_bits(words[i], 0, 7), gaunt_signed_bits(words[i], 7, 5),
+                      gaunt_signed_bits(words[i], 12, 5));
+    L[i] = gaunt_coloured_ratios(L[0], q, 63.0, 15.0, i);
+  }
+  [unroll] for (int i = 4; i < 9; ++i) {
+    int v = kRatio[i - 4];
+    int o = kOrange[i - 4];
+    float3 q = float3(gaunt_signed_bits(words[v / 32], v, 6),
+                      gaunt_signed_bits(words[o / 32], o, 3), 0.0);
+    L[i] = gaunt_coloured_ratios(L[0], q, 31.0, 3.0, i);
+  }
+}
+
+// GAUNT_FORMAT_SH3_CHROMA_21: RGB9E5; v, o and g of i = 1..8 from the bits listed up.
+void gaunt_decode_sh3_chroma_21(uint words[6], out float3 L[9]) {
+  static const int kRatio[8] = {32, 40, 48, 56, 64, 71, 96, 103};
+  static const int kOrange[8] = {78, 90, 116, 128, 136, 144, 152, 160};
+  static const int kGreen[8] = {84, 110, 122, 132, 140, 148, 156, 164};
+  L[0] = gaunt_decode_rgb9e5(words[0]);
+  [unroll] for (int i = 1; i < 9; ++i) {
+    int v = kRatio[i - 1];
+    int o = kOrange[i - 1];
+    int g = kGreen[i - 1];
+    int width = i < 4 ? 6 : 4;
+    float3 q = float3(gaunt_signed_bits(words[v / 32], v, i < 4 ? 8 : 7),
+                      gaunt_signed_bits(words[o / 32], o, width),
+                      gaunt_signed_bits(words[g / 32], g, width));
+    L[i] = gaunt_coloured_ratios(L[0], q, i < 4 ? 127.0 : 63.0, i < 4 ? 31.0 : 7.0, i);
+  }
+}
+
+// GAUNT_FORMAT_ZH3_16: GAUNT_FORMAT_SH2_13; bytes 13..15 are 127 k2 / (sqrt(5) L_0).
+void gaunt_decode_zh3_16(uint words[4], out float3 L[4], out float3 k2) {
+  gaunt_decode_sh2_13(words, L);
+  float3 q = gaunt_signed_bytes(words[3], words[3], words[3], int3(8, 16, 24));
+  k2 = gaunt_ratios(L[0], q, 6);  // bound_6 is sqrt(5), too
+}
+
+// GAUNT_FORMAT_ZH3_LUMA_8: RGB9E5; word 1 is q_1 .. q_3 and 127 k2 / (sqrt(5) L_0) of all
+// channels.
+void gaunt_decode_zh3_luma_8(uint words[2], out float3 L[4], out float3 k2) {
+  L[0] = gaunt_decode_rgb9e5(words[0]);
+  [unroll] for (int i = 1; i < 4; ++i) {
+    float q = gaunt_signed_bits(words[1], 8 * (i - 1), 8);
+    L[i] = gaunt_ratios(L[0], float3(q, q, q), i);
+  }
+  float q2 = gaunt_signed_bits(words[1], 24, 8);
+  k2 = gaunt_ratios(L[0], float3(q2, q2, q2), 6);  // bound_6 is sqrt(5), too
 }
 
 #endif  // GAUNT_HLSL

@@ -7,7 +7,7 @@ layout(std430, binding = 0) readonly buffer In { float from[]; };
 layout(std430, binding = 1) writeonly buffer Out { float to[]; };
 
 const uint kIn = 20u;
-const uint kOut = 28u;
+const uint kOut = 55u;
 
 uint at;
 void put(float v) { to[at++] = v; }
@@ -37,4 +37,7 @@ void main() {
   put(gaunt_zh3_curve(L[0], L[2], from[start + 18u], from[start + 19u]));
   put(gaunt_zh3_irradiance(L, k2, axis, n));
   put(gaunt_zh3_irradiance_axes(L, k2, axes, n));
+  vec3 sh3[9];
+  gaunt_zh3_expand(L, k2, axis, sh3);
+  for (int p = 0; p < 27; ++p) put(sh3[p % 9][p / 9]);
 }

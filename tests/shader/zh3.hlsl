@@ -6,7 +6,7 @@ StructuredBuffer<float> from : register(t0);
 RWStructuredBuffer<float> to : register(u1);
 
 static const uint kIn = 20u;
-static const uint kOut = 28u;
+static const uint kOut = 55u;
 
 static uint at;
 void put(float v) { to[at++] = v; }
@@ -36,4 +36,7 @@ void put(float3 v) {
   put(gaunt_zh3_curve(L[0], L[2], from[start + 18u], from[start + 19u]));
   put(gaunt_zh3_irradiance(L, k2, axis, n));
   put(gaunt_zh3_irradiance_axes(L, k2, axes, n));
+  float3 sh3[9];
+  gaunt_zh3_expand(L, k2, axis, sh3);
+  for (int p = 0; p < 27; ++p) put(sh3[p % 9][p / 9]);
 }
