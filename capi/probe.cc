@@ -2,6 +2,7 @@
 #include "probe/probe.h"
 
 #include "check.h"
+#include "probe/transcode.h"
 
 using gaunt::capi::InputOf;
 using gaunt::capi::InRange;
@@ -77,6 +78,27 @@ gaunt_status gaunt_probe_decode(uint32_t format, size_t count, const void* packe
   if (count == 0) return GAUNT_OK;
   KernelsOf(format).decode(count, {static_cast<const uint8_t*>(packed), count, stride},
                            OutputOf(*out, count));
+  return GAUNT_OK;
+}
+
+gaunt_status gaunt_probe_transcode(uint32_t format_in, uint32_t format_out, size_t count,
+                                   const void* a, size_t stride_a, const void* b, size_t stride_b,
+                                   float t, void* packed, size_t stride) {
+  GAUNT_REQUIRE(IsFormat(format_in) && IsFormat(format_out), GAUNT_ERROR_FORMAT);
+  const FormatShape in = ShapeOf(format_in), out = ShapeOf(format_out);
+  GAUNT_REQUIRE(stride_a >= in.bytes && stride >= out.bytes, GAUNT_ERROR_RANGE);
+  GAUNT_REQUIRE(b == nullptr || stride_b >= in.bytes, GAUNT_ERROR_RANGE);
+  MemoryCheck check(count);
+  check.InRecords(a, count, in.bytes, stride_a);
+  if (b != nullptr) check.InRecords(b, count, in.bytes, stride_b);
+  check.OutRecords(packed, count, out.bytes, stride);
+  GAUNT_CHECK(check.status());
+  if (count == 0) return GAUNT_OK;
+  const gaunt::probe::PackedProbes probes_a = {static_cast<const uint8_t*>(a), count, stride_a};
+  const gaunt::probe::PackedProbes probes_b = {static_cast<const uint8_t*>(b), count, stride_b};
+  gaunt::probe::Transcode({KernelsOf(format_in), in}, {KernelsOf(format_out), out}, count, probes_a,
+                          b != nullptr ? &probes_b : nullptr, t, static_cast<uint8_t*>(packed),
+                          stride);
   return GAUNT_OK;
 }
 

@@ -410,6 +410,69 @@ TEST_P(Probe, GathersEveryFormatNumberOfTapsAndLayout) {
   }
 }
 
+// Every format to every other, alone and blended, is decoding, blending and encoding.
+TEST_P(Probe, TranscodesBetweenAllFormats) {
+  Random random(15);
+  constexpr size_t kCount = 37;
+  for (const Format& from : AllFormats()) {
+    const size_t stride_a = from.bytes + 1, stride_b = from.bytes + 2;
+    const std::vector<uint8_t> a = MakeRecords(random, from, kCount, stride_a);
+    const std::vector<uint8_t> b = MakeRecords(random, from, kCount, stride_b);
+    for (const Format& to : AllFormats()) {
+      for (const float t : {0.0f, 0.3f, 1.0f}) {
+        const bool blends = t != 0.0f;
+        Buffer fa(Layout::kPlanar, kCount, from.planes), fb(Layout::kPlanar, kCount, from.planes);
+        Buffer wanted(Layout::kPlanar, kCount, to.planes);
+        ASSERT_EQ(gaunt_probe_decode(from.id, kCount, a.data(), stride_a, fa.view()), GAUNT_OK);
+        ASSERT_EQ(gaunt_probe_decode(from.id, kCount, b.data(), stride_b, fb.view()), GAUNT_OK);
+        if (blends) {
+          float share = t;
+          gaunt_view vt;
+          gaunt_view_broadcast(&share, &vt);
+          ASSERT_EQ(gaunt_sh_blend(from.order, 3, kCount, fa.view(), fb.view(), &vt, fa.view()),
+                    GAUNT_OK);
+        }
+        const size_t from_size = from.planes / 3, to_size = to.planes / 3;
+        for (size_t i = 0; i < kCount; ++i) {
+          for (size_t p = 0; p < to.planes; ++p) {
+            const size_t c = p / to_size, k = p % to_size;
+            wanted.Set(i, p, k < from_size ? fa.Get(i, c * from_size + k) : 0.0f);
+          }
+        }
+        const size_t stride = to.bytes + 3;
+        std::vector<uint8_t> packed(kCount * stride, 0xEE), expected = packed;
+        ASSERT_EQ(
+            gaunt_probe_encode(to.id, kCount, wanted.view(), expected.data(), stride, nullptr),
+            GAUNT_OK);
+        ASSERT_EQ(gaunt_probe_transcode(from.id, to.id, kCount, a.data(), stride_a,
+                                        blends ? b.data() : nullptr, blends ? stride_b : 0, t,
+                                        packed.data(), stride),
+                  GAUNT_OK);
+        ASSERT_EQ(packed, expected) << Name(from) << " to " << Name(to) << " t " << t;
+      }
+    }
+  }
+}
+
+TEST_P(Probe, TranscodingRejectsWrongArguments) {
+  std::vector<uint8_t> a(8 * 28), b(8 * 28), packed(8 * 28, 0xEE);
+  const std::vector<uint8_t> before = packed;
+  const uint32_t f = GAUNT_FORMAT_SH3_28;
+  const auto transcode = gaunt_probe_transcode;
+  uint8_t *pa = a.data(), *pb = b.data(), *to = packed.data();
+  EXPECT_EQ(transcode(0, f, 8, pa, 28, pb, 28, 0.5f, to, 28), GAUNT_ERROR_FORMAT);
+  EXPECT_EQ(transcode(f, kFormats + 1, 8, pa, 28, pb, 28, 0.5f, to, 28), GAUNT_ERROR_FORMAT);
+  EXPECT_EQ(transcode(f, f, 8, pa, 27, pb, 28, 0.5f, to, 28), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(transcode(f, f, 8, pa, 28, pb, 27, 0.5f, to, 28), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(transcode(f, f, 8, pa, 28, pb, 28, 0.5f, to, 27), GAUNT_ERROR_RANGE);
+  EXPECT_EQ(transcode(f, f, 8, nullptr, 28, pb, 28, 0.5f, to, 28), GAUNT_ERROR_NULL);
+  EXPECT_EQ(transcode(f, f, 8, pa, 28, pb, 28, 0.5f, nullptr, 28), GAUNT_ERROR_NULL);
+  EXPECT_EQ(transcode(f, f, 8, pa, 28, pb, 28, 0.5f, pa, 28), GAUNT_ERROR_OVERLAP);
+  EXPECT_EQ(transcode(f, f, 8, pa, 28, pb, 28, 0.5f, pb + 1, 28), GAUNT_ERROR_OVERLAP);
+  EXPECT_EQ(packed, before);
+  EXPECT_EQ(transcode(f, f, 0, nullptr, 28, nullptr, 0, 0.5f, nullptr, 28), GAUNT_OK);
+}
+
 TEST_P(Probe, GatherOfNothingIsBlack) {
   const uint32_t indices[8] = {GAUNT_NO_PROBE, 1, 2, 3, 4, 5, 6, 7};
   const float weights[8] = {1, 1, 1, 1, 1, 1, 1, 1};

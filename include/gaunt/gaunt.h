@@ -1278,6 +1278,28 @@ GAUNT_API gaunt_status gaunt_probe_encode_refined(uint32_t format, size_t count,
 GAUNT_API gaunt_status gaunt_probe_decode(uint32_t format, size_t count, const void* packed,
                                           size_t stride, const gaunt_view* out);
 
+/**
+ * Packs what another format unpacks to, or the blend of two volumes of it, such as a day's and a
+ * night's: encode(decode(a) + t (decode(b) - decode(a))), in linear coefficients. Bands that
+ * format_out lacks are dropped, those that format_in lacks are 0.
+ *
+ * format_in   GAUNT_FORMAT_* of a and b
+ * format_out  GAUNT_FORMAT_* of packed
+ * count       probes
+ * a           count records, `stride_a` bytes apart
+ * b           count records, `stride_b` bytes apart; or NULL, and t does not matter
+ * t           0 gives a, 1 gives b; any number
+ * packed      count records, `stride` bytes apart, written in full
+ *
+ * Accuracy:  that of gaunt_probe_decode(), gaunt_sh_blend() and gaunt_probe_encode(), whose bytes
+ *            these are.
+ * Overlap:   none between packed and the inputs.
+ * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_probe_transcode(uint32_t format_in, uint32_t format_out, size_t count,
+                                             const void* a, size_t stride_a, const void* b,
+                                             size_t stride_b, float t, void* packed, size_t stride);
+
 /** An index that stands for no probe. */
 #define GAUNT_NO_PROBE UINT32_MAX
 

@@ -385,6 +385,21 @@ inline void ProbeDecode(uint32_t format, size_t count, const void* packed, size_
   detail::Check("gaunt_probe_decode", gaunt_probe_decode(format, count, packed, stride, out.get()));
 }
 
+inline void ProbeTranscode(uint32_t format_in, uint32_t format_out, size_t count, const void* a,
+                           size_t stride_a, void* packed, size_t stride) {
+  detail::Check("gaunt_probe_transcode",
+                gaunt_probe_transcode(format_in, format_out, count, a, stride_a, nullptr, 0, 0.0f,
+                                      packed, stride));
+}
+
+inline void ProbeTranscode(uint32_t format_in, uint32_t format_out, size_t count, const void* a,
+                           size_t stride_a, const void* b, size_t stride_b, float t, void* packed,
+                           size_t stride) {
+  detail::Check("gaunt_probe_transcode",
+                gaunt_probe_transcode(format_in, format_out, count, a, stride_a, b, stride_b, t,
+                                      packed, stride));
+}
+
 inline void ProbeGather(uint32_t format, uint32_t n_out, size_t count, uint32_t taps,
                         const uint32_t* indices, const float* weights, const void* packed,
                         size_t packed_count, size_t stride, const OutView& out) {
