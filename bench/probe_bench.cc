@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstring>
+
 #include "bench/support.h"
 
 namespace gaunt::bench {
@@ -33,6 +35,21 @@ void MakeProbe(size_t item, size_t size, float* planes) {
   }
 }
 
+// As many bytes as a decoder writes, copied: what it can be measured by.
+void RegisterCopy(const std::string& name, size_t planes) {
+  ScalarBenchmark copy;
+  copy.name = name;
+  copy.baseline = "memcpy";
+  copy.inputs = {planes};
+  copy.output = planes;
+  copy.large = true;
+  copy.call = [=](size_t count, const std::vector<const float*>& in, float* out) {
+    std::memcpy(out, in[0], count * planes * sizeof(float));
+    benchmark::ClobberMemory();
+  };
+  RegisterScalar(copy);
+}
+
 void RegisterFormat(const FormatName& format) {
   constexpr size_t kProbes = 2048;
   gaunt_format_properties properties = {sizeof(properties), 0, 0, 0};
@@ -60,10 +77,13 @@ void RegisterFormat(const FormatName& format) {
   batch.operations = OperationsOf("probe_decode", order, name);
   batch.outputs = {planes};
   batch.more_read = bytes;
+  batch.large = true;
   batch.call = [=](size_t count, const BatchBenchmark::Views&, const BatchBenchmark::Views& out) {
     return gaunt_probe_decode(format.format, count, packed->data(), bytes, out[0]);
   };
   RegisterBatch(batch);
+  RegisterCopy(batch.name, planes);
+  batch.large = false;
 
   const auto indices = std::make_shared<std::vector<uint32_t>>(kLarge * 8);
   const auto weights = std::make_shared<std::vector<float>>(kLarge * 8, 0.125f);

@@ -171,7 +171,8 @@ void RegisterBatch(const BatchBenchmark& batch) {
 
 void RegisterScalar(const ScalarBenchmark& scalar) {
   const std::shared_ptr<Accuracy> accuracy = MakeAccuracy(scalar.reference);
-  for (const size_t count : {kSmall, kPowerOfTwo}) {
+  for (const size_t count : {kSmall, kPowerOfTwo, kLarge}) {
+    if (count == kLarge && !scalar.large) continue;
     const std::string name =
         scalar.name + "/interleaved/" + std::to_string(count) + "/" + scalar.baseline;
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {

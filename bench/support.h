@@ -52,6 +52,7 @@ struct ScalarBenchmark {
   std::vector<size_t> broadcast;  // inputs that are one item for all
   std::function<void(size_t count, const std::vector<const float*>& in, float* out)> call;
   // As those of BatchBenchmark.
+  bool large = false;
   std::function<void(size_t item, size_t side, float* planes)> make;
   Reference reference;
   std::string label;
