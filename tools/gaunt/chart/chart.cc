@@ -3,16 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "chart/bench_run.h"
 #include "chart/charts.h"
-#include "chart/gnuplot.h"
-#include "chart/process.h"
+#include "chart/pictures.h"
 #include "command.h"
 #include "output_file.h"
 #include "simd/count.h"
@@ -30,11 +27,6 @@ struct ChartOptions {
 };
 
 constexpr char kLoopLayout[] = "interleaved";  // of scalar loops
-
-struct NamedFigure {
-  std::string name;
-  Figure figure;
-};
 
 Results GetResults(const ChartOptions& options) {
   const Results results = ReadResults({options.results});
@@ -89,12 +81,6 @@ std::vector<NamedFigure> MakeFigures(const Results& results, const Selection& se
   return figures;
 }
 
-void Copy(const std::string& from, const std::string& to) {
-  std::error_code error;
-  std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
-  if (error) throw std::runtime_error("cannot write " + to + ": " + error.message());
-}
-
 void RunChart(const ChartOptions& options) {
   // Before any work: they fail.
   const Gnuplot gnuplot;
@@ -112,20 +98,7 @@ void RunChart(const ChartOptions& options) {
     PrepareFolder(options.out);
     figures = MakeFigures(bench.Run(options.repetitions), selection);
   }
-  // All of them are drawn before the first is in its place.
-  TemporaryFolder drawn;
-  for (const NamedFigure& figure : figures) {
-    gnuplot.Draw(figure.figure, drawn.File(figure.name + ".svg"), drawn.File(figure.name + ".png"));
-  }
-  for (const NamedFigure& figure : figures) {
-    const std::string path = (std::filesystem::path(options.out) / figure.name).string();
-    for (const std::string ending : {".svg", ".png"}) {
-      OutputFile file(path + ending);
-      Copy(drawn.File(figure.name + ending), file.path());
-      file.Commit();
-    }
-    fmt::print("{0}.svg {0}.png\n", path);
-  }
+  DrawPictures(gnuplot, figures, options.out);
 }
 
 }  // namespace

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "chart/pictures.h"
 #include "command.h"
 #include "format_name.h"
+#include "formats/format_chart.h"
 #include "formats/format_error.h"
+#include "output_file.h"
 #include "panorama.h"
 #include "progress.h"
 
@@ -18,6 +22,7 @@ namespace {
 struct FormatsOptions {
   std::vector<std::string> panoramas;
   bool refined = false;
+  std::string out;
   bool json = false;
 };
 
@@ -126,7 +131,24 @@ void PrintRows(const std::vector<NamedLight>& lights, const std::vector<Row>& ro
   PrintJson(json);
 }
 
+void DrawChart(const Gnuplot& gnuplot, const FormatsOptions& options, size_t lights,
+               const std::vector<Row>& rows) {
+  std::vector<FormatMark> marks;
+  for (const Row& row : rows) marks.push_back({row.name, row.bytes, row.order, MeanRms(row)});
+  const std::string conditions =
+      fmt::format("mean of {} panoramas, against {} bands{}", lights, kLightOrder,
+                  options.refined ? ", encoded with refinement" : "");
+  DrawPictures(gnuplot, {{"probe_formats", FormatChart(conditions, marks)}}, options.out);
+}
+
 void RunFormats(const FormatsOptions& options) {
+  // Before any work: they fail.
+  std::optional<Gnuplot> gnuplot;
+  if (!options.out.empty()) {
+    if (options.panoramas.empty()) throw BadInput("--out: there is nothing to draw of no panorama");
+    gnuplot.emplace();
+    PrepareFolder(options.out);
+  }
   std::vector<NamedLight> lights;
   {
     Progress bar("projecting");
@@ -138,8 +160,12 @@ void RunFormats(const FormatsOptions& options) {
     }
   }
   const std::vector<Row> rows = MakeRows(lights, options.refined);
-  if (options.json) return PrintRows(lights, rows);
-  PrintText(lights, rows);
+  if (options.json) {
+    PrintRows(lights, rows);
+  } else {
+    PrintText(lights, rows);
+  }
+  if (gnuplot) DrawChart(*gnuplot, options, lights.size(), rows);
 }
 
 }  // namespace
@@ -150,6 +176,8 @@ void AddFormats(CLI::App& app) {
   const auto o = std::make_shared<FormatsOptions>();
   command->add_option("panorama", o->panoramas, "EXR or HDR files")->check(NotEmpty);
   command->add_flag("--refine", o->refined, "Encode with refinement, which takes longer");
+  command->add_option("--out", o->out, "Folder for a picture of error against size")
+      ->check(NotEmpty);
   command->add_flag("--json", o->json, "Print JSON");
   command->callback([o] { RunFormats(*o); });
 }
