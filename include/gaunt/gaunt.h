@@ -81,6 +81,8 @@ extern "C" {
 #define GAUNT_MAX_ORDER 64
 /** Highest order of light extraction in this version. */
 #define GAUNT_MAX_LIGHT_ORDER 6
+/** Highest order of the ambient cube. */
+#define GAUNT_MAX_AMBIENT_CUBE_ORDER 6
 /** Highest order of rotation. */
 #define GAUNT_MAX_ROTATE_ORDER 16
 /** Highest order of a factor of a product, which has up to twice as many bands less one. */
@@ -1101,6 +1103,106 @@ GAUNT_API gaunt_status gaunt_zh3_irradiance(uint32_t axis_mode, size_t count, co
  */
 GAUNT_API gaunt_status gaunt_geomerics_irradiance(size_t count, const gaunt_view* sh2,
                                                   const gaunt_view* normals, const gaunt_view* out);
+
+/* ---- ambient cube ---------------------------------------------------------------------------- */
+
+/*
+ * The ambient cube (Mitchell, McTaggart and Green, "Shading in Valve's Source engine", 2006; also
+ * Bevy's irradiance volumes): E/pi of each channel by one value C for each direction of the axes,
+ *   E/pi(n) = n_x^2 C_x + n_y^2 C_y + n_z^2 C_z,  C_x = C_+X if n_x >= 0, else C_-X, and so on,
+ * in the axes of the radiance; gaunt_convert() changes them. What all of its functions take and
+ * give:
+ *   cube  18 planes, face by face: 3 face + channel, faces +X, -X, +Y, -Y, +Z, -Z. Interleaved, an
+ *         item is six RGB texels of floats.
+ * Packed texels come in, and go out, as items of order 1, which have the value itself as L_0:
+ * gaunt_probe_decode(GAUNT_FORMAT_RGB9E5, 6 * count, texels, 4, out) fills an interleaved cube where
+ * the faces lie one after the other, and likewise GAUNT_FORMAT_R11G11B10F; negative values are
+ * encoded as 0. Half floats must be made floats first. Bevy keeps the faces of a volume of Rx Ry Rz
+ * voxels apart, in a texture of Rx by 2 Ry by 3 Rz: by its shader the texels of face f are those of
+ * t = y + (f % 2) Ry, p = z + (f / 2) Rz; a slice of Rx Ry texels is decoded into planes 3 f to
+ * 3 f + 2 by an `out` whose data is that much further and whose item_stride is 72.
+ *
+ * Against E/pi of order 3, a directional light that reflects 1 at its own direction has, by its
+ * direction, these errors over the sphere (least squares; in brackets sampled):
+ *               (0, 0, 1)        (1, 1, 0)        (1, 1, 1)
+ *   largest     0.118 (0.118)    0.278 (0.358)    0.425 (0.493)
+ *   RMS         0.068 (0.086)    0.133 (0.143)    0.148 (0.157)
+ * The first and the last column are the least and the most of all directions, so that order 3 of any
+ * non-negative radiance of mean 1 has RMS errors up to 0.63 (0.67), and no error above 1.81 (2.10).
+ */
+#define GAUNT_AMBIENT_CUBE_PLANES 18
+
+/** Which cube of E/pi. Values never change. */
+enum {
+  GAUNT_AMBIENT_CUBE_LEAST_SQUARES = 1, /**< the closest over the sphere */
+  GAUNT_AMBIENT_CUBE_SAMPLED = 2        /**< E/pi at the six axes, as the source has it: exact there,
+                                             and closer to 0 where it is negative */
+};
+
+/**
+ * Projects E/pi of radiance to ambient cubes. With e_l = A_l / pi of gaunt_irradiance_evaluate():
+ *   C_+-Z = e_0 L_0 / (2 sqrt(pi)) +- s e_1 L_2 + sqrt(5/pi)/2 e_2 L_6
+ *   C_+-X = e_0 L_0 / (2 sqrt(pi)) -+ s e_1 L_3 - sqrt(5/pi)/4 e_2 L_6 + sqrt(15/pi)/4 e_2 L_8
+ *   C_+-Y = e_0 L_0 / (2 sqrt(pi)) -+ s e_1 L_1 - sqrt(5/pi)/4 e_2 L_6 - sqrt(15/pi)/4 e_2 L_8
+ * with s = sqrt(3/pi) 5/8 of least squares, sqrt(3/pi)/2 of samples. Samples of order 5 and 6 have
+ * band 4, too; the closest cube has nothing of it. L_4, L_5 and L_7 are lost, and bands 3 and 5 are
+ * not in E. Faces may be negative: of a directional light that reflects 1 at its own direction down
+ * to -0.108 (least squares) or -0.037 (samples), at order 3. Clamp what must not be.
+ *
+ * n         order, 1 .. GAUNT_MAX_AMBIENT_CUBE_ORDER
+ * mode      GAUNT_AMBIENT_CUBE_*
+ * count     probes
+ * radiance  3 n^2 planes, RGB
+ * cube      GAUNT_AMBIENT_CUBE_PLANES planes, E/pi
+ *
+ * Accuracy:  |error| <= 3e-7 |L|, with |L| the norm of the channel's coefficients.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_ambient_cube_project(uint32_t n, uint32_t mode, size_t count,
+                                                  const gaunt_view* radiance,
+                                                  const gaunt_view* cube);
+
+/**
+ * Evaluates ambient cubes: E/pi at normals, by the equation above. Cubes that are not negative give
+ * nothing negative.
+ *
+ * count    pairs of a cube and a normal; broadcast either for one with many
+ * cube     GAUNT_AMBIENT_CUBE_PLANES planes, E/pi
+ * normals  3 planes, unit vectors. A face that a normal does not look at has no part in it, not even
+ *          if it is a NaN.
+ * out      3 planes, E/pi
+ *
+ * Accuracy:  |error| <= 3e-7 of the channel's largest |face|.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_ambient_cube_evaluate(size_t count, const gaunt_view* cube,
+                                                   const gaunt_view* normals,
+                                                   const gaunt_view* out);
+
+/**
+ * Turns ambient cubes into radiance whose E/pi is the projection of the cube: the closest over the
+ * sphere of order n. With s = C_+ + C_- and d = C_+ - C_- of each axis, divided by e_l:
+ *   e_0 L_0 = sqrt(pi)/3 (s_x + s_y + s_z)
+ *   e_1 L_1 = -sqrt(3 pi)/4 d_y,   e_1 L_2 = sqrt(3 pi)/4 d_z,   e_1 L_3 = -sqrt(3 pi)/4 d_x
+ *   e_2 L_6 = sqrt(5 pi)/15 (2 s_z - s_x - s_y),   e_2 L_8 = sqrt(15 pi)/15 (s_x - s_y)
+ * and every other coefficient 0. Order 3 keeps all that is even in the direction, exactly. Of the
+ * rest it has band 1; bands 3, 5, ..., which no E has, are lost: 1/16 of the energy of the odd part. Projected again by least squares, sums s come back and differences d as
+ * 15/16 d; sampled, as 3/4 d. So radiance of order 3 that has been a cube of least squares has its
+ * L_0, L_6 and L_8 still, 15/16 of band 1, and 0 for L_4, L_5 and L_7.
+ *
+ * n         order, 1 .. GAUNT_MAX_AMBIENT_CUBE_ORDER; above 3 all further coefficients are 0
+ * count     probes
+ * cube      GAUNT_AMBIENT_CUBE_PLANES planes, E/pi
+ * radiance  3 n^2 planes, RGB
+ *
+ * Accuracy:  |error| <= 1e-6 of the channel's largest |face|.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_ambient_cube_to_sh(uint32_t n, size_t count, const gaunt_view* cube,
+                                                const gaunt_view* radiance);
 
 /* ---- probe ----------------------------------------------------------------------------------- */
 

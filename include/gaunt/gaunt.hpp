@@ -350,6 +350,23 @@ inline void GeomericsIrradiance(size_t count, const InView& sh2, const InView& n
                 gaunt_geomerics_irradiance(count, sh2.get(), normals.get(), out.get()));
 }
 
+inline void AmbientCubeProject(uint32_t n, uint32_t mode, size_t count, const InView& radiance,
+                               const OutView& cube) {
+  detail::Check("gaunt_ambient_cube_project",
+                gaunt_ambient_cube_project(n, mode, count, radiance.get(), cube.get()));
+}
+
+inline void AmbientCubeEvaluate(size_t count, const InView& cube, const InView& normals,
+                                const OutView& out) {
+  detail::Check("gaunt_ambient_cube_evaluate",
+                gaunt_ambient_cube_evaluate(count, cube.get(), normals.get(), out.get()));
+}
+
+inline void AmbientCubeToSh(uint32_t n, size_t count, const InView& cube, const OutView& radiance) {
+  detail::Check("gaunt_ambient_cube_to_sh",
+                gaunt_ambient_cube_to_sh(n, count, cube.get(), radiance.get()));
+}
+
 inline gaunt_format_properties FormatInfo(uint32_t format) {
   gaunt_format_properties properties = {sizeof(properties), 0, 0, 0};
   detail::Check("gaunt_format_info", gaunt_format_info(format, &properties));
