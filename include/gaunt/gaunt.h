@@ -1155,7 +1155,7 @@ enum {
  * radiance  3 n^2 planes, RGB
  * cube      GAUNT_AMBIENT_CUBE_PLANES planes, E/pi
  *
- * Accuracy:  |error| <= 3e-7 |L|, with |L| the norm of the channel's coefficients.
+ * Accuracy:  |error| <= 1.5e-7 |L|, with |L| the norm of the channel's coefficients.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -1173,7 +1173,7 @@ GAUNT_API gaunt_status gaunt_ambient_cube_project(uint32_t n, uint32_t mode, siz
  *          if it is a NaN.
  * out      3 planes, E/pi
  *
- * Accuracy:  |error| <= 3e-7 of the channel's largest |face|.
+ * Accuracy:  |error| <= 2.5e-7 of the channel's largest |face|.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _LAYOUT, _RANGE, _OVERLAP.
  */
@@ -1197,7 +1197,7 @@ GAUNT_API gaunt_status gaunt_ambient_cube_evaluate(size_t count, const gaunt_vie
  * cube      GAUNT_AMBIENT_CUBE_PLANES planes, E/pi
  * radiance  3 n^2 planes, RGB
  *
- * Accuracy:  |error| <= 1e-6 of the channel's largest |face|.
+ * Accuracy:  |error| <= 1.2e-6 of the channel's largest |face|.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_ORDER, _NULL, _LAYOUT, _RANGE, _OVERLAP.
  */
