@@ -80,6 +80,16 @@ struct Evaluate {
   }
 };
 
+// Of one cube, which is part of the kernel, so that registers can keep it.
+struct EvaluateOne {
+  float cube[kPlanes];
+
+  template <class K, class InN, class Out>
+  GAUNT_LANES void operator()(const K& k, const InN& normal, const Out& out) const {
+    Evaluate()(k, k.Floats(cube), normal, out);
+  }
+};
+
 // Radiance of which the cube has the E/pi: bands 0 and 2 as they are, of band 1 its projection. The
 // rest of the coefficients is 0.
 template <int bands>

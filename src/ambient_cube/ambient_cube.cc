@@ -2,6 +2,7 @@
 #include "ambient_cube/ambient_cube.h"
 
 #include <algorithm>
+#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ambient_cube/ambient_cube.cc"
@@ -39,7 +40,15 @@ void ToShBatch(size_t count, const simd::InView& cube, const simd::OutView& radi
 
 void EvaluateBatch(size_t count, const simd::InView& cube, const simd::InView& normals,
                    const simd::OutView& out) {
-  ForEachBatch(count, Evaluate(), In<kPlanes>(cube), In<3>(normals), Out<kChannels>(out));
+  if (count > 1 && cube.IsBroadcast()) {
+    EvaluateOne one;
+    for (size_t p = 0; p < kPlanes; ++p) {
+      std::memcpy(&one.cube[p], cube.FromPlane(p).data, sizeof(float));
+    }
+    ForEachBatch(count, one, In<3>(normals), Out<kChannels>(out));
+  } else {
+    ForEachBatch(count, Evaluate(), In<kPlanes>(cube), In<3>(normals), Out<kChannels>(out));
+  }
 }
 
 template <int... n>
