@@ -419,8 +419,8 @@ struct Errors {
   double least_face = 0.0;
 };
 
-// Of a cube against E/pi of order 3. The largest is looked for on a grid, which has the axes and the
-// diagonals.
+// Of a cube against E/pi of order 3. The largest is looked for on a grid, which has the axes and
+// the diagonals.
 Errors ErrorsOf(const std::vector<double>& radiance, const double faces[6], int steps = 12) {
   Errors errors;
   const auto error = [&](const double n[3]) {

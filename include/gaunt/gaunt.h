@@ -1115,28 +1115,30 @@ GAUNT_API gaunt_status gaunt_geomerics_irradiance(size_t count, const gaunt_view
  *   cube  18 planes, face by face: 3 face + channel, faces +X, -X, +Y, -Y, +Z, -Z. Interleaved, an
  *         item is six RGB texels of floats.
  * Packed texels come in, and go out, as items of order 1, which have the value itself as L_0:
- * gaunt_probe_decode(GAUNT_FORMAT_RGB9E5, 6 * count, texels, 4, out) fills an interleaved cube where
+ * gaunt_probe_decode(GAUNT_FORMAT_RGB9E5, 6 * count, texels, 4, out) fills interleaved cubes where
  * the faces lie one after the other, and likewise GAUNT_FORMAT_R11G11B10F; negative values are
- * encoded as 0. Half floats must be made floats first. Bevy keeps the faces of a volume of Rx Ry Rz
- * voxels apart, in a texture of Rx by 2 Ry by 3 Rz: by its shader the texels of face f are those of
- * t = y + (f % 2) Ry, p = z + (f / 2) Rz; a slice of Rx Ry texels is decoded into planes 3 f to
- * 3 f + 2 by an `out` whose data is that much further and whose item_stride is 72.
+ * encoded as 0. Half floats must be made floats first, without an A. Bevy keeps the faces of a
+ * volume of Rx Ry Rz voxels apart, in a texture of Rx by 2 Ry by 3 Rz: by its shader, face f of
+ * voxel (x, y, z) is texel (x, y + (f % 2) Ry, z + (f / 2) Rz). A slice of Rx Ry texels is decoded
+ * into planes 3 f .. 3 f + 2 by an `out` of 3 planes whose data begins there and whose item_stride
+ * is 72.
  *
  * Against E/pi of order 3, a directional light that reflects 1 at its own direction has, by its
  * direction, these errors over the sphere (least squares; in brackets sampled):
  *               (0, 0, 1)        (1, 1, 0)        (1, 1, 1)
  *   largest     0.118 (0.118)    0.278 (0.358)    0.425 (0.493)
  *   RMS         0.068 (0.086)    0.133 (0.143)    0.148 (0.157)
- * The first and the last column are the least and the most of all directions, so that order 3 of any
- * non-negative radiance of mean 1 has RMS errors up to 0.63 (0.67), and no error above 1.81 (2.10).
+ * The first and the last column are the least and the most of all directions, so that order 3 of
+ * any non-negative radiance of mean 1 has RMS errors up to 0.63 (0.67), and no error above 1.81
+ * (2.10).
  */
 #define GAUNT_AMBIENT_CUBE_PLANES 18
 
 /** Which cube of E/pi. Values never change. */
 enum {
   GAUNT_AMBIENT_CUBE_LEAST_SQUARES = 1, /**< the closest over the sphere */
-  GAUNT_AMBIENT_CUBE_SAMPLED = 2        /**< E/pi at the six axes, as the source has it: exact there,
-                                             and closer to 0 where it is negative */
+  GAUNT_AMBIENT_CUBE_SAMPLED = 2 /**< E/pi at the six axes, as the source has it: exact there, and
+                                      closer to 0 where it is negative */
 };
 
 /**
@@ -1169,8 +1171,8 @@ GAUNT_API gaunt_status gaunt_ambient_cube_project(uint32_t n, uint32_t mode, siz
  *
  * count    pairs of a cube and a normal; broadcast either for one with many
  * cube     GAUNT_AMBIENT_CUBE_PLANES planes, E/pi
- * normals  3 planes, unit vectors. A face that a normal does not look at has no part in it, not even
- *          if it is a NaN.
+ * normals  3 planes, unit vectors. A face that a normal does not look at has no part in it, not
+ *          even if it is a NaN.
  * out      3 planes, E/pi
  *
  * Accuracy:  |error| <= 2.5e-7 of the channel's largest |face|.
@@ -1188,9 +1190,10 @@ GAUNT_API gaunt_status gaunt_ambient_cube_evaluate(size_t count, const gaunt_vie
  *   e_1 L_1 = -sqrt(3 pi)/4 d_y,   e_1 L_2 = sqrt(3 pi)/4 d_z,   e_1 L_3 = -sqrt(3 pi)/4 d_x
  *   e_2 L_6 = sqrt(5 pi)/15 (2 s_z - s_x - s_y),   e_2 L_8 = sqrt(15 pi)/15 (s_x - s_y)
  * and every other coefficient 0. Order 3 keeps all that is even in the direction, exactly. Of the
- * rest it has band 1; bands 3, 5, ..., which no E has, are lost: 1/16 of the energy of the odd part. Projected again by least squares, sums s come back and differences d as
- * 15/16 d; sampled, as 3/4 d. So radiance of order 3 that has been a cube of least squares has its
- * L_0, L_6 and L_8 still, 15/16 of band 1, and 0 for L_4, L_5 and L_7.
+ * odd rest it keeps band 1, 15/16 of the energy; bands 3, 5, ..., which no E has, are lost.
+ * Projected again, sums s come back as they were, and differences d as 15/16 d by least squares,
+ * 3/4 d sampled. So radiance of order 3 that has been a cube of least squares still has its L_0,
+ * L_6 and L_8, 15/16 of band 1, and 0 for L_4, L_5 and L_7.
  *
  * n         order, 1 .. GAUNT_MAX_AMBIENT_CUBE_ORDER; above 3 all further coefficients are 0
  * count     probes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ambient cube by its definition, in double precision and for one channel. Faces +X, -X, +Y, -Y,
-// +Z, -Z.
+// The ambient cube by its definition, in double precision and for one channel. Faces +X, -X, +Y,
+// -Y, +Z, -Z.
 #ifndef GAUNT_AMBIENT_CUBE_AMBIENT_CUBE_REFERENCE_H_
 #define GAUNT_AMBIENT_CUBE_AMBIENT_CUBE_REFERENCE_H_
 
