@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <string>
-#include <utility>
 
 #include "ambient_cube/ambient_cube_reference.h"
 #include "bench/ambient_cube_baseline.h"
