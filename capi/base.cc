@@ -19,7 +19,7 @@ const char* gaunt_status_string(gaunt_status status) {
     case GAUNT_ERROR_LAYOUT: return "strides or alignment are wrong, or an output overlaps itself";
     case GAUNT_ERROR_RANGE: return "a count, size or number is out of range";
     case GAUNT_ERROR_OVERLAP: return "an output overlaps an input or another output";
-    case GAUNT_ERROR_FORMAT: return "unknown format or texel type, or not a prepared product";
+    case GAUNT_ERROR_FORMAT: return "unknown format or texel type, or not a prepared product or mesh";
     case GAUNT_ERROR_STRUCT: return "struct_size is wrong";
     case GAUNT_ERROR_TARGET: return "the SIMD target is unknown or does not run here";
     default: return "unknown status";

@@ -11,8 +11,8 @@ target_link_libraries(gaunt_bench PRIVATE gaunt_static gaunt_reference gaunt_cou
 # Scalar loops as a user's compiler makes them.
 add_library(gaunt_scalar_baselines OBJECT
   bench/ambient_cube_baseline.cc bench/basis_baseline.cc bench/evaluate_baseline.cc
-  bench/project_baseline.cc bench/product_axial_baseline.cc bench/product_baseline.cc
-  bench/rotate_baseline.cc
+  bench/grid_baseline.cc bench/project_baseline.cc bench/product_axial_baseline.cc
+  bench/product_baseline.cc bench/rotate_baseline.cc bench/tetra_baseline.cc
   bench/zh3_baseline.cc bench/zonal_baseline.cc)
 target_include_directories(gaunt_scalar_baselines PRIVATE ${PROJECT_SOURCE_DIR} src include)
 target_link_libraries(gaunt_scalar_baselines PRIVATE hwy::hwy gaunt_warnings)

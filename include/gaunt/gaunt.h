@@ -100,7 +100,7 @@ enum {
   GAUNT_ERROR_RANGE = -4,   /**< a count, size or number out of its range */
   GAUNT_ERROR_OVERLAP = -5, /**< an output that may meet an input or another output */
   GAUNT_ERROR_FORMAT = -6,  /**< an unknown probe format or texel type, or bytes that are not a
-                                 prepared product */
+                                 prepared product or mesh */
   GAUNT_ERROR_STRUCT = -7,  /**< a struct_size that no version of the struct has had */
   GAUNT_ERROR_TARGET = -8   /**< a SIMD target that is unknown or does not run here */
 };
@@ -1411,7 +1411,8 @@ GAUNT_API gaunt_status gaunt_probe_transcode(uint32_t format_in, uint32_t format
 /**
  * Decodes and blends packed probes:
  *   out(i) = sum over t of weights[i taps + t] probe(indices[i taps + t])
- * Eight taps are the corners of a grid cell, four those of a tetrahedron.
+ * Eight taps are the corners of a grid cell, four those of a tetrahedron: gaunt_grid_taps(),
+ * gaunt_brick_taps() and gaunt_tetrahedra_taps() find them.
  *
  * format        GAUNT_FORMAT_*
  * n_out         order of the output, 1 .. the format's: higher bands are dropped
@@ -1432,6 +1433,172 @@ GAUNT_API gaunt_status gaunt_probe_gather(uint32_t format, uint32_t n_out, size_
                                           const float* weights, const void* packed,
                                           size_t packed_count, size_t stride,
                                           const gaunt_view* out);
+
+/* ---- grid ------------------------------------------------------------------------------------ */
+
+/**
+ * Probes on a regular grid: probe (x, y, z) lies at origin + (x, y, z) spacing, component by
+ * component, and has the index first + x strides[0] + y strides[1] + z strides[2].
+ */
+typedef struct gaunt_grid {
+  uint32_t struct_size; /**< sizeof(gaunt_grid) */
+  uint32_t size[3];     /**< probes along x, y and z, 1 .. 65536 */
+  float origin[3];      /**< position of probe (0, 0, 0); finite */
+  float spacing[3];     /**< from probe to probe; 1e-30 .. 1e30, or negative where they go down */
+  uint32_t first;       /**< index of probe (0, 0, 0) */
+  uint32_t strides[3];  /**< of indices; all 0: x fastest, 1, size[0], size[0] size[1] */
+} gaunt_grid;
+
+/**
+ * Finds the eight probes around positions, and their weights, for gaunt_probe_gather():
+ *   u = (position - origin) / spacing, clamped to 0 .. size - 1;  c = floor(u), at most size - 2;
+ *   f = u - c;  tap t of item i, whose bits are (tx, ty, tz) from the lowest up, is probe
+ *   c + (tx, ty, tz) with the weight of the product of f where the bit is 1, and 1 - f where it is 0.
+ * Weights are 0 or more, and add up to 1. Positions outside are those of the border next to them,
+ * infinite ones too. A position with a NaN has no probe: GAUNT_NO_PROBE and 0 eight times. Where
+ * size is 1, both probes along that axis are the same one, and the second has the weight 0.
+ *
+ * grid       the probes
+ * count      positions
+ * positions  3 planes x, y, z
+ * valid      one bit per index, or NULL: all are valid. Index j takes part if bit j % 32 of
+ *            valid[j / 32] is 1; bits are read up to the largest index of the grid. A probe that
+ *            is not valid has GAUNT_NO_PROBE and 0, and the weights of the others are divided by
+ *            their sum, with f clamped to 2^-20 .. 1 - 2^-20 first: next to a probe that is not
+ *            valid, those that are nearest to it share the item. Without a valid one of the eight,
+ *            all are GAUNT_NO_PROBE and 0.
+ * indices    receives 8 count indices of the grid, or GAUNT_NO_PROBE
+ * weights    receives 8 count weights
+ *
+ * Accuracy:  |error| of a weight <= 2.5e-7 (1 + |u|), |u| the largest of the three; of their sum
+ *            2e-7, and 4e-7 where probes are not valid. Equal bits on all targets.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _STRUCT, _RANGE (what is said above, or an index beyond
+ * 2^32 - 2), _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_grid_taps(const gaunt_grid* grid, size_t count,
+                                       const gaunt_view* positions, const uint32_t* valid,
+                                       uint32_t* indices, float* weights);
+
+/** What a cell of gaunt_bricks holds. */
+typedef struct gaunt_brick_cell {
+  uint32_t first; /**< index of the first probe of the brick that covers the cell */
+  uint32_t size;  /**< cells that this brick covers along each axis, 1 .. 65536 */
+} gaunt_brick_cell;
+
+/**
+ * Probes in bricks over a grid of cells, dense where a scene needs it. A brick covers
+ * size x size x size cells and begins, along each axis, at a multiple of its size, counted from cell
+ * 0; each of those cells names it. Its probes^3 probes lie on a regular grid from its border to its
+ * border: probe (x, y, z) of it has the index first + x strides[0] + y strides[1] + z strides[2], so
+ * that neighbours repeat the probes that they share.
+ *
+ * Unreal's volumetric lightmap: cells are texels of the indirection texture, whose size is its
+ * alpha; probes is 5, the brick size and one. With an atlas of W x H x D probes and a brick at
+ * (x, y, z) in the texture, first = 5 x + W (5 y + H 5 z) and strides are 1, W, W H.
+ * Unity's adaptive probe volumes: cells are the smallest bricks, size is 3^subdivision; probes is 4,
+ * and strides are those of the pool's texture.
+ */
+typedef struct gaunt_bricks {
+  uint32_t struct_size; /**< sizeof(gaunt_bricks) */
+  uint32_t size[3];     /**< cells along x, y and z, 1 .. 65536, and at most 2^28 in all */
+  float origin[3];      /**< the corner of cell (0, 0, 0); finite */
+  float spacing[3];     /**< edges of a cell; 1e-30 .. 1e30, or negative where cells go down */
+  uint32_t probes;      /**< along each edge of a brick, 2 .. 256 */
+  uint32_t strides[3];  /**< of indices in a brick; all 0: 1, probes, probes^2 */
+  uint32_t probe_count; /**< probes of all bricks, at least those that one brick spans */
+} gaunt_bricks;
+
+/**
+ * Finds the eight probes around positions in bricks, and their weights, for gaunt_probe_gather():
+ *   u = (position - origin) / spacing, clamped to 0 .. size;  c = floor(u), at most size - 1, the
+ *   cell;  b = c - c mod s, where the brick of s cells begins;  v = (probes - 1) (u - b) / s
+ * and from v on as gaunt_grid_taps(), inside the brick. Where no brick is, all eight are
+ * GAUNT_NO_PROBE and 0: where the size of the cell is 0 or more than 65536, or where a probe of the
+ * brick would not be below probe_count, as is so from first = GAUNT_NO_PROBE.
+ *
+ * bricks     the grid of cells and the shape of bricks
+ * cells      size[0] size[1] size[2] cells, x fastest, then y
+ * count, positions, valid, indices, weights  as for gaunt_grid_taps(); bits of `valid` are read up
+ *            to probe_count - 1
+ *
+ * Accuracy:  |error| of a weight <= 2.5e-7 (1 + (probes - 1) (1 + |u| / s)); of their sum as for
+ *            gaunt_grid_taps(). Equal bits on all targets.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _STRUCT, _RANGE, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_brick_taps(const gaunt_bricks* bricks, const gaunt_brick_cell* cells,
+                                        size_t count, const gaunt_view* positions,
+                                        const uint32_t* valid, uint32_t* indices, float* weights);
+
+/* ---- tetra ----------------------------------------------------------------------------------- */
+
+/**
+ * Prepares a mesh of tetrahedra whose corners are probes, as Delaunay's triangulation of their
+ * positions gives it: writes bytes with which gaunt_tetrahedra_taps() finds its way. Meshes are best
+ * convex and connected, and their tetrahedra meet in whole faces. Flat ones, with a height below
+ * 1e-5 of the longest edge, may be among them: no position is inside such a one. Their corners may
+ * be in any order.
+ *
+ * The bytes hold no pointers, need no alignment (the fastest is 64), and may be copied, or saved for
+ * machines of the same byte order. There are 64 + 80 count + 12 vertex_count of them.
+ *
+ * vertex_count  probes, 1 .. 2^32 - 1
+ * vertices      3 planes x, y, z: their positions, finite and in -1e15 .. 1e15
+ * count         tetrahedra, 1 .. 2^28
+ * corners       4 count indices of probes, each below vertex_count
+ * neighbours    4 count indices of tetrahedra: 4 t + i is the one across the face of t that lies
+ *               opposite its corner i, or GAUNT_NO_PROBE at the border. NULL: they are found, by
+ *               sorting all faces; of more than two tetrahedra at one face the first two are
+ *               neighbours, the next two, and so on.
+ * mesh          receives the bytes; NULL: only their number is wanted, and the other pointers may
+ *               be NULL too
+ * mesh_size     the capacity of mesh, at least the number of bytes; not read if mesh is NULL.
+ *               Receives the number of bytes.
+ *
+ * Vertices, corners and neighbours are checked one by one before anything is written.
+ *
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_RANGE (what is said above), _NULL, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_tetrahedra_prepare(size_t vertex_count, const gaunt_view* vertices,
+                                                size_t count, const uint32_t* corners,
+                                                const uint32_t* neighbours, void* mesh,
+                                                size_t* mesh_size);
+
+/**
+ * Finds the tetrahedra that positions are in, and the weights of their four corners, for
+ * gaunt_probe_gather(): barycentric coordinates, 0 or more, which add up to 1.
+ *
+ * Each item walks from tetrahedron to neighbour, across the face that the position is furthest
+ * beyond of those that have one, until the position is inside, up to -1e-6 in barycentrics (of the
+ * largest where that is beyond 1), or beyond faces at the border alone. Such a position outside has
+ * the weights of the nearest point of that tetrahedron: on its face, edge or corner at the border.
+ * (Of a convex mesh this is the nearest point of the whole where it is inside a face; next to edges
+ * and corners of the hull it may depend on where the walk began.) A walk of more than
+ * 64 + 8 count^(1/3) steps, count tetrahedra, is given up, and all are searched for one that holds the
+ * position, or else for the nearest: so positions in flat tetrahedra, or in folded meshes on which
+ * walks go round, are found too, but slowly.
+ *
+ * A position that is not finite has GAUNT_NO_PROBE and 0 four times.
+ *
+ * mesh        the bytes from gaunt_tetrahedra_prepare(), mesh_size of them
+ * count       positions
+ * positions   3 planes x, y, z
+ * tetrahedra  count indices of tetrahedra, where walks begin; receives where they end. Best kept from
+ *             frame to frame: few items then take a step. One that is none, such as GAUNT_NO_PROBE,
+ *             begins at 0.
+ * indices     receives 4 count indices of probes, the corners in the order in which they were given
+ * weights     receives 4 count weights
+ *
+ * Accuracy:  |error| of a weight <= 1e-6 + 5e-7 L / h of the longest edge L and the least height h
+ *            of the tetrahedron; of their sum 2e-7.
+ * Overlap:   none.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _FORMAT (bytes that are no mesh), _LAYOUT, _RANGE, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_tetrahedra_taps(const void* mesh, size_t mesh_size, size_t count,
+                                             const gaunt_view* positions, uint32_t* tetrahedra,
+                                             uint32_t* indices, float* weights);
 
 /* ---- convert --------------------------------------------------------------------------------- */
 

@@ -425,6 +425,43 @@ inline void ProbeGather(uint32_t format, uint32_t n_out, size_t count, uint32_t 
                                    packed_count, stride, out.get()));
 }
 
+// `valid` may be null.
+inline void GridTaps(const gaunt_grid& grid, size_t count, const InView& positions,
+                     const uint32_t* valid, uint32_t* indices, float* weights) {
+  detail::Check("gaunt_grid_taps",
+                gaunt_grid_taps(&grid, count, positions.get(), valid, indices, weights));
+}
+
+inline void BrickTaps(const gaunt_bricks& bricks, const gaunt_brick_cell* cells, size_t count,
+                      const InView& positions, const uint32_t* valid, uint32_t* indices,
+                      float* weights) {
+  detail::Check("gaunt_brick_taps", gaunt_brick_taps(&bricks, cells, count, positions.get(), valid,
+                                                     indices, weights));
+}
+
+// The bytes for TetrahedraTaps(). `neighbours` may be null.
+inline std::vector<unsigned char> TetrahedraPrepare(size_t vertex_count, const InView& vertices,
+                                                    size_t count, const uint32_t* corners,
+                                                    const uint32_t* neighbours) {
+  size_t size = 0;
+  detail::Check("gaunt_tetrahedra_prepare",
+                gaunt_tetrahedra_prepare(vertex_count, nullptr, count, nullptr, nullptr, nullptr,
+                                         &size));
+  std::vector<unsigned char> mesh(size);
+  detail::Check("gaunt_tetrahedra_prepare",
+                gaunt_tetrahedra_prepare(vertex_count, vertices.get(), count, corners, neighbours,
+                                         mesh.data(), &size));
+  return mesh;
+}
+
+inline void TetrahedraTaps(const void* mesh, size_t mesh_size, size_t count,
+                           const InView& positions, uint32_t* tetrahedra, uint32_t* indices,
+                           float* weights) {
+  detail::Check("gaunt_tetrahedra_taps",
+                gaunt_tetrahedra_taps(mesh, mesh_size, count, positions.get(), tetrahedra, indices,
+                                      weights));
+}
+
 inline gaunt_convention ConventionPreset(uint32_t engine) {
   gaunt_convention convention = {};
   convention.struct_size = sizeof(convention);
