@@ -1571,14 +1571,14 @@ GAUNT_API gaunt_status gaunt_tetrahedra_prepare(size_t vertex_count, const gaunt
  * gaunt_probe_gather(): barycentric coordinates, 0 or more, which add up to 1.
  *
  * Each item walks from tetrahedron to neighbour, across the face that the position is furthest
- * beyond of those that have one, until the position is inside, up to -1e-6 in barycentrics (of the
- * largest where that is beyond 1), or beyond faces at the border alone. Such a position outside has
- * the weights of the nearest point of that tetrahedron: on its face, edge or corner at the border.
- * (Of a convex mesh this is the nearest point of the whole where it is inside a face; next to edges
- * and corners of the hull it may depend on where the walk began.) A walk of more than
- * 64 + 8 count^(1/3) steps, count tetrahedra, is given up, and all are searched for one that holds the
- * position, or else for the nearest: so positions in flat tetrahedra, or in folded meshes on which
- * walks go round, are found too, but slowly.
+ * beyond of those that have one, until the position is inside, or beyond faces at the border alone;
+ * a barycentric coordinate down to -1e-6 of the sum of its terms, or -1e-6, is not beyond. Such a
+ * position outside has the weights of the nearest point of that tetrahedron: on its face, edge or
+ * corner at the border. (Of a convex mesh this is the nearest point of the whole where it is inside a
+ * face; next to edges and corners of the hull it may depend on where the walk began.) A walk of more
+ * than 64 + 8 count^(1/3) steps, count tetrahedra, is given up, and all are searched for one that
+ * holds the position, or else for the nearest: so positions in flat tetrahedra, or in folded meshes
+ * on which walks go round, are found too, but slowly.
  *
  * A position that is not finite has GAUNT_NO_PROBE and 0 four times.
  *
@@ -1591,7 +1591,7 @@ GAUNT_API gaunt_status gaunt_tetrahedra_prepare(size_t vertex_count, const gaunt
  * indices     receives 4 count indices of probes, the corners in the order in which they were given
  * weights     receives 4 count weights
  *
- * Accuracy:  |error| of a weight <= 1e-6 + 5e-7 L / h of the longest edge L and the least height h
+ * Accuracy:  |error| of a weight <= 1e-6 + 2e-6 L / h of the longest edge L and the least height h
  *            of the tetrahedron; of their sum 2e-7.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _FORMAT (bytes that are no mesh), _LAYOUT, _RANGE, _OVERLAP.

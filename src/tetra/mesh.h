@@ -12,11 +12,10 @@ inline constexpr int kCorners = 4;
 inline constexpr uint32_t kNone = UINT32_MAX;
 // Positions and vertices are no further from the origin than this.
 inline constexpr double kFarthest = 1e15;
-// Barycentrics from here up are inside, where none is beyond 1: rounding must not send a position to
-// and fro.
+// Barycentrics from here up are inside, where they are sums of terms up to 1, and in proportion where
+// terms are larger. It is more than they round, so that no position is sent to and fro between two
+// tetrahedra that meet.
 inline constexpr double kInside = -1e-6;
-// Rounding makes no barycentric less than this, in the same way, where a tetrahedron is not flat.
-inline constexpr double kRounding = -1.0 / 32.0;
 
 // At the start of the bytes. Records follow, then the corners of each tetrahedron, then vertices.
 struct Header {

@@ -19,8 +19,8 @@ using namespace gaunt::HWY_NAMESPACE;  // NOLINT(build/namespaces)
 // Where the fields of a record are, in words.
 inline constexpr size_t kRowWords = 0, kCornerWords = 9, kNeighbourWords = 12, kRecordWords = 16;
 
-// What one step computes: barycentrics of positions in their tetrahedra; and below which of them a
-// position is beyond a face, which is further from 0 where they are large, since so is the rounding.
+// What one step computes: barycentrics of positions in their tetrahedra; and, last, below which of
+// them a position is beyond a face: never where only rounding says so.
 inline constexpr size_t kBeyond = kCorners, kBarycentricSlots = kCorners + 1;
 struct Barycentrics {
   template <class K, class Record, class V, class Out>
@@ -31,9 +31,12 @@ struct Barycentrics {
     V rest = k(1.0), largest = k(1.0);
     for (size_t i = 0; i < 3; ++i) {
       const size_t row = kRowWords + 3 * i;
-      const V b = MulAdd(record(row), x, MulAdd(record(row + 1), y, Mul(record(row + 2), z)));
+      const V rx = record(row), ry = record(row + 1), rz = record(row + 2);
+      const V b = MulAdd(rx, x, MulAdd(ry, y, Mul(rz, z)));
+      // Rounding is as large as what cancels.
+      const V terms = MulAdd(Abs(rx), Abs(x), MulAdd(Abs(ry), Abs(y), Mul(Abs(rz), Abs(z))));
       rest = Sub(rest, b);
-      largest = Max(largest, Abs(b));
+      largest = Max(largest, terms);
       out(i, b);
     }
     out(3, rest);
@@ -97,19 +100,12 @@ class Walk {
   GAUNT_LANES I Find(IndexMask known, I at) {
     const IndexTag d;
     I previous = hn::Set(d, kNone);
-    IndexMask was_flat = hn::FirstN(d, 0);
     for (uint32_t step = 0;; ++step) {
       Fetch<sizeof(Record)>(mesh_.records, at, record_);
       Barycentrics()(Lanes(), record_, position_(0), position_(1), position_(2), b_);
       const V first = b_(0);
       const IndexMask flat = hn::Not(hn::RebindMask(d, hn::Eq(first, first)));
-      I next = at;
-      const V lowest = Lowest(next);
-      // Just beyond the face that it came through: only rounding says so.
-      const V rounding = hn::Mul(hn::Set(LaneTag(), kBack), b_(kBeyond));
-      const IndexMask just = hn::RebindMask(d, hn::Gt(lowest, rounding));
-      const IndexMask back = hn::And(hn::And(hn::Eq(next, previous), just), hn::Not(was_flat));
-      next = hn::IfThenElse(back, at, next);
+      I next = Lowest(at);
       if (!hn::AllFalse(d, flat)) next = hn::IfThenElse(flat, Through(at, previous, step), next);
       const IndexMask moves = hn::And(known, hn::Ne(next, at));
       if (hn::AllFalse(d, moves) || step == mesh_.step_limit) {
@@ -117,7 +113,6 @@ class Walk {
         return at;
       }
       previous = hn::IfThenElse(moves, at, previous);
-      was_flat = hn::Or(hn::And(moves, flat), hn::AndNot(moves, was_flat));
       at = hn::IfThenElse(moves, next, at);
     }
   }
@@ -149,15 +144,14 @@ class Walk {
   static constexpr size_t kStride = hn::MaxLanes(LaneTag());
   // What Finish() leaves to FindNearest().
   static constexpr float kOutside = 1.0f, kLost = 2.0f;
-  static constexpr float kBack = static_cast<float>(kRounding / kInside);
 
   GAUNT_LANES I Neighbour(size_t i) const { return IndexOf(record_(kNeighbourWords + i)); }
 
-  // The neighbour beyond the face that positions are furthest beyond, if there is one; returns its
-  // barycentric.
-  GAUNT_LANES V Lowest(I& next) const {
+  // The neighbour beyond the face that positions are furthest beyond, or the same again.
+  GAUNT_LANES I Lowest(I at) const {
     const IndexTag d;
     V lowest = b_(kBeyond);
+    I next = at;
     for (size_t i = 0; i < kCorners; ++i) {
       const V b = b_(i);
       const I neighbour = Neighbour(i);
@@ -166,7 +160,7 @@ class Walk {
       lowest = hn::IfThenElse(hn::RebindMask(LaneTag(), better), b, lowest);
       next = hn::IfThenElse(better, neighbour, next);
     }
-    return lowest;
+    return next;
   }
 
   // The way on through a flat tetrahedron, in which no side is known: any of its neighbours, by turns
