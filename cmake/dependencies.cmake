@@ -39,7 +39,17 @@ if(GAUNT_TOOLS)
   FetchContent_Declare(nlohmann_json
     GIT_REPOSITORY https://github.com/nlohmann/json.git GIT_TAG v3.11.2
     FIND_PACKAGE_ARGS CONFIG)
-  FetchContent_MakeAvailable(CLI11 fmt nlohmann_json)
+  set(ZLIB_BUILD_EXAMPLES OFF CACHE INTERNAL "")
+  FetchContent_Declare(ZLIB
+    GIT_REPOSITORY https://github.com/madler/zlib.git GIT_TAG v1.3.1
+    FIND_PACKAGE_ARGS)
+  FetchContent_MakeAvailable(CLI11 fmt nlohmann_json ZLIB)
+  if(TARGET zlibstatic AND NOT TARGET ZLIB::ZLIB)
+    # Its targets do not say where its headers are.
+    target_include_directories(zlibstatic INTERFACE
+      $<BUILD_INTERFACE:${zlib_SOURCE_DIR}> $<BUILD_INTERFACE:${zlib_BINARY_DIR}>)
+    add_library(ZLIB::ZLIB ALIAS zlibstatic)
+  endif()
   find_package(Threads REQUIRED)
   find_package(OpenImageIO 2.4 CONFIG REQUIRED)
   # Debian's package names a folder of OpenCV that is not there unless OpenCV is installed.

@@ -59,6 +59,8 @@ add_test(NAME Examples.Readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE
 if(GAUNT_TOOLS)
   gaunt_test(splats_test tests/splats_test.cc)
   target_link_libraries(splats_test PRIVATE gaunt_splats)
+  gaunt_test(volume_test tests/volume_test.cc)
+  target_link_libraries(volume_test PRIVATE gaunt_volume)
   # In one process: it reads the images once.
   add_executable(panorama_test tests/panorama_test.cc tests/support/panorama.cc)
   gaunt_compile_internal(panorama_test)

@@ -36,6 +36,9 @@ void AddFrame(CLI::App& app);
 void AddFormats(CLI::App& app);
 void AddPoints(CLI::App& app);
 void AddRotate(CLI::App& app);
+void AddPack(CLI::App& app);
+void AddUnpack(CLI::App& app);
+void AddTranscode(CLI::App& app);
 void AddChart(CLI::App& app);
 
 }  // namespace gaunt::tool

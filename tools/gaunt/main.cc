@@ -40,6 +40,9 @@ int Run(int argc, char** argv) {
   gaunt::tool::AddFormats(app);
   gaunt::tool::AddPoints(app);
   gaunt::tool::AddRotate(app);
+  gaunt::tool::AddPack(app);
+  gaunt::tool::AddUnpack(app);
+  gaunt::tool::AddTranscode(app);
   gaunt::tool::AddChart(app);
   const std::vector<std::string> arguments = Arguments(argc, argv);
   std::vector<const char*> pointers;

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "splats/byte_file.h"
+#include "byte_file.h"
 
 namespace gaunt::tool {
 

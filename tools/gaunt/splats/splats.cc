@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "byte_file.h"
 #include "gaunt/gaunt.h"
 #include "output_file.h"
-#include "splats/byte_file.h"
 #include "splats/ply.h"
 #include "splats/splat_layout.h"
 
@@ -163,7 +163,7 @@ class Copier {
   Copier(const PlyHeader& header, ByteReader& in, ByteWriter& out,
          const std::function<void(double)>& progress)
       : header_(header), in_(in), out_(out), progress_(progress) {
-    total_ = in.Size() > 0 ? in.Size() : KnownBytes(header);
+    total_ = in.Size().value_or(KnownBytes(header));
     out_.Write(header.text.data(), header.text.size());
   }
 

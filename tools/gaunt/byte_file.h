@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Files of any size as streams of bytes, whose errors name them.
-#ifndef GAUNT_TOOLS_GAUNT_SPLATS_BYTE_FILE_H_
-#define GAUNT_TOOLS_GAUNT_SPLATS_BYTE_FILE_H_
+#ifndef GAUNT_TOOLS_GAUNT_BYTE_FILE_H_
+#define GAUNT_TOOLS_GAUNT_BYTE_FILE_H_
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace gaunt::tool {
@@ -25,7 +26,7 @@ class ByteReader {
   size_t Read(char* to, size_t bytes);
   const std::string& path() const { return path_; }
   uint64_t bytes() const { return bytes_; }  // read up to now
-  uint64_t Size() const;                     // of the whole file; 0 if it is none, but a pipe
+  std::optional<uint64_t> Size() const;      // of the whole file; none of a pipe
 
  private:
   std::string path_;
@@ -51,4 +52,4 @@ class ByteWriter {
 
 }  // namespace gaunt::tool
 
-#endif  // GAUNT_TOOLS_GAUNT_SPLATS_BYTE_FILE_H_
+#endif  // GAUNT_TOOLS_GAUNT_BYTE_FILE_H_

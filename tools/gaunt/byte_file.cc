@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "splats/byte_file.h"
+#include "byte_file.h"
 
 #include <sys/stat.h>
 
@@ -30,9 +30,9 @@ size_t ByteReader::Read(char* to, size_t bytes) {
   return read;
 }
 
-uint64_t ByteReader::Size() const {
+std::optional<uint64_t> ByteReader::Size() const {
   struct stat status = {};
-  if (fstat(fileno(file_.get()), &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+  if (fstat(fileno(file_.get()), &status) != 0 || !S_ISREG(status.st_mode)) return {};
   return static_cast<uint64_t>(status.st_size);
 }
 

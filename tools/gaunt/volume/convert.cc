@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "volume/convert.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "output_file.h"
+#include "volume/pipeline.h"
+
+namespace gaunt::tool {
+namespace {
+
+void Check(gaunt_status status) {
+  if (status != GAUNT_OK) throw std::runtime_error(gaunt_status_string(status));
+}
+
+// Probes of a raw file of floats, as they lie in a block.
+gaunt_view FloatView(ProbeBlock& block, size_t stride) {
+  return {reinterpret_cast<float*>(block.bytes.data()), static_cast<ptrdiff_t>(stride),
+          sizeof(float), 0, 0};
+}
+
+// Coefficients of a block, in tiles.
+class Tiles {
+ public:
+  gaunt_view View(size_t planes) {
+    floats_.resize(kBlockProbes * planes);
+    gaunt_view view;
+    Check(gaunt_view_tiled(floats_.data(), planes, &view));
+    return view;
+  }
+
+ private:
+  std::vector<float> floats_;
+};
+
+float& At(const gaunt_view& view, size_t item, size_t plane) {
+  const size_t tile = view.tile_items == 0 ? 0 : item / view.tile_items;
+  const size_t in_tile = item - tile * view.tile_items;
+  return *reinterpret_cast<float*>(reinterpret_cast<char*>(view.data) +
+                                   static_cast<ptrdiff_t>(tile) * view.tile_stride +
+                                   static_cast<ptrdiff_t>(in_tile) * view.item_stride +
+                                   static_cast<ptrdiff_t>(plane) * view.plane_stride);
+}
+
+// Bands that `from` lacks become 0, and those that `to` lacks are dropped.
+void CopyBands(size_t count, const gaunt_view& from, uint32_t from_order, const gaunt_view& to,
+               uint32_t to_order) {
+  const size_t from_size = size_t{from_order} * from_order, to_size = size_t{to_order} * to_order;
+  for (size_t first = 0; first < count; first += GAUNT_TILE_ITEMS) {
+    const size_t end = std::min<size_t>(count, first + GAUNT_TILE_ITEMS);
+    for (size_t channel = 0; channel < 3; ++channel) {
+      for (size_t k = 0; k < to_size; ++k) {
+        for (size_t i = first; i < end; ++i) {
+          At(to, i, channel * to_size + k) =
+              k < from_size ? At(from, i, channel * from_size + k) : 0.0f;
+        }
+      }
+    }
+  }
+}
+
+ProbeReader Open(const ProbeInput& in) {
+  return in.raw ? ProbeReader(in.path, *in.raw, in.stride) : ProbeReader(in.path);
+}
+
+ProbeWriter Create(const ProbeOutput& out, const std::string& path, const ProbeReader& in,
+                   const ProbeFileGrid& grid) {
+  const ProbeEncoding to = out.encoding.value_or(EncodingOfFloats(in.encoding().order));
+  if (out.raw) return {path, out.path, to, out.stride};
+  const auto bytes = static_cast<uint32_t>(to.bytes);
+  return {path, out.path, ProbeFileHeader{to.format, bytes, in.count(), grid}};
+}
+
+// What a thread holds.
+struct Slot {
+  ProbeBlock in, other, out;
+  Tiles tiles, other_tiles, decoded;
+  std::vector<float> report;
+  EncodingErrors errors;  // of the block
+};
+
+class Converter {
+ public:
+  Converter(ProbeReader& in, ProbeReader* other, float weight, ProbeWriter& out,
+            const std::function<void(double)>& progress)
+      : in_(in), other_(other), weight_(weight), out_(out), progress_(progress) {}
+
+  bool copies() const {
+    return other_ == nullptr && in_.encoding().format == out_.encoding().format &&
+           in_.encoding().order == out_.encoding().order;
+  }
+  const EncodingErrors& errors() const { return errors_; }
+
+  void Run(uint64_t threads) {
+    Pipeline<Slot>([this](Slot& slot) { return Read(slot); }, [this](Slot& slot) { Convert(slot); },
+                   [this](Slot& slot) { Write(slot); })
+        .Run(threads);
+  }
+
+ private:
+  // Both, also at the end, where each looks whether anything follows.
+  bool Read(Slot& slot) {
+    const bool more = in_.Read(slot.in);
+    if (other_ != nullptr) other_->Read(slot.other);
+    return more;
+  }
+
+  void Convert(Slot& slot) const {
+    in_.Verify(slot.in);
+    if (other_ != nullptr) other_->Verify(slot.other);
+    out_.Prepare(slot.in.first, slot.in.count, slot.out);
+    if (copies()) {
+      Copy(slot);
+    } else {
+      const ProbeEncoding& to = out_.encoding();
+      const gaunt_view coefficients =
+          to.format == 0 ? FloatView(slot.out, out_.stride()) : slot.tiles.View(to.planes());
+      Decode(in_, slot.in, slot, coefficients);
+      if (other_ != nullptr) Blend(slot, coefficients);
+      if (to.format != 0) Encode(slot, coefficients);
+    }
+    out_.Seal(slot.out);
+  }
+
+  void Copy(Slot& slot) const {
+    for (size_t i = 0; i < slot.in.count; ++i) {
+      std::memcpy(&slot.out.bytes[i * out_.stride()], &slot.in.bytes[i * in_.stride()],
+                  in_.encoding().bytes);
+    }
+  }
+
+  // To coefficients of the output's order.
+  void Decode(const ProbeReader& from, ProbeBlock& block, Slot& slot, const gaunt_view& to) const {
+    const ProbeEncoding& encoding = from.encoding();
+    const uint32_t order = out_.encoding().order;
+    if (encoding.format == 0) {
+      CopyBands(block.count, FloatView(block, from.stride()), encoding.order, to, order);
+      return;
+    }
+    const bool direct = encoding.order == order;
+    const gaunt_view decoded = direct ? to : slot.decoded.View(encoding.planes());
+    Check(gaunt_probe_decode(encoding.format, block.count, block.bytes.data(), from.stride(),
+                             &decoded));
+    if (!direct) CopyBands(block.count, decoded, encoding.order, to, order);
+  }
+
+  void Blend(Slot& slot, const gaunt_view& to) const {
+    const gaunt_view other = slot.other_tiles.View(out_.encoding().planes());
+    Decode(*other_, slot.other, slot, other);
+    float weight = weight_;
+    gaunt_view weights;
+    Check(gaunt_view_broadcast(&weight, &weights));
+    Check(gaunt_sh_blend(out_.encoding().order, 3, slot.in.count, &to, &other, &weights, &to));
+  }
+
+  void Encode(Slot& slot, const gaunt_view& from) const {
+    slot.report.resize(kBlockProbes * GAUNT_REPORT_PLANES);
+    gaunt_view report;
+    Check(gaunt_view_interleaved(slot.report.data(), GAUNT_REPORT_PLANES, &report));
+    Check(gaunt_probe_encode(out_.encoding().format, slot.in.count, &from, slot.out.bytes.data(),
+                             out_.stride(), &report));
+    slot.errors = {};
+    for (size_t i = 0; i < slot.in.count; ++i) AddProbe(slot, from, i);
+  }
+
+  void AddProbe(Slot& slot, const gaunt_view& from, size_t item) const {
+    EncodingErrors& errors = slot.errors;
+    const float* report = slot.report.data() + GAUNT_REPORT_PLANES * item;
+    errors.clamped += static_cast<uint64_t>(report[GAUNT_REPORT_CLAMPED]);
+    const size_t planes = out_.encoding().planes();
+    float zeros = 0.0f;  // or NaN
+    for (size_t p = 0; p < planes; ++p) zeros += 0.0f * At(from, item, p);
+    if (zeros != 0.0f) {
+      ++errors.not_finite;
+      return;
+    }
+    ++errors.finite;
+    static const double kMeanOfOne = 1.0 / std::sqrt(4.0 * std::acos(-1.0));  // of E/pi, for L_0
+    for (size_t channel = 0; channel < 3; ++channel) {
+      errors.light += kMeanOfOne / 3.0 * At(from, item, channel * (planes / 3));
+    }
+    errors.rms += report[GAUNT_REPORT_RMS];
+    errors.largest += report[GAUNT_REPORT_MAX];
+    errors.worst_rms.Add(report[GAUNT_REPORT_RMS], slot.in.first + item);
+    errors.worst_largest.Add(report[GAUNT_REPORT_MAX], slot.in.first + item);
+  }
+
+  void Write(Slot& slot) {
+    out_.Write(slot.out);
+    errors_.Add(slot.errors);
+    progress_(static_cast<double>(slot.in.first + slot.in.count) /
+              static_cast<double>(in_.count()));
+  }
+
+  ProbeReader& in_;
+  ProbeReader* other_;
+  float weight_;
+  ProbeWriter& out_;
+  const std::function<void(double)>& progress_;
+  EncodingErrors errors_;
+};
+
+// Of the output: what is asked for, or what an input has.
+ProbeFileGrid GridOf(const ConvertJob& job, const ProbeReader& in,
+                     const std::optional<ProbeReader>& other) {
+  ProbeFileGrid grid = in.grid();
+  if (other && other->grid().any()) {
+    if (!grid.any()) grid = other->grid();
+    const auto [x, y, z] = grid.size;
+    const auto [u, v, w] = other->grid().size;
+    if (grid.size != other->grid().size) {
+      other->Reject(fmt::format("has a grid of {} x {} x {}, but {} has {} x {} x {}", u, v, w,
+                                job.in.path, x, y, z));
+    }
+  }
+  if (!job.out.grid) return grid;
+  const std::string error = GridError(*job.out.grid, in.count());
+  if (!error.empty()) in.Reject(error);
+  return *job.out.grid;
+}
+
+}  // namespace
+
+void EncodingErrors::Worst::Add(double other_error, uint64_t other_probe) {
+  if (!(other_error > error)) return;
+  error = other_error;
+  probe = other_probe;
+}
+
+void EncodingErrors::Add(const EncodingErrors& later) {
+  finite += later.finite;
+  not_finite += later.not_finite;
+  clamped += later.clamped;
+  light += later.light;
+  rms += later.rms;
+  largest += later.largest;
+  worst_rms.Add(later.worst_rms.error, later.worst_rms.probe);
+  worst_largest.Add(later.worst_largest.error, later.worst_largest.probe);
+}
+
+ConvertSummary ConvertProbes(const ConvertJob& job, const std::function<void(double)>& progress) {
+  ProbeReader in = Open(job.in);
+  std::optional<ProbeReader> other;
+  if (job.blend) {
+    other.emplace(Open(job.blend->with));
+    if (other->count() != in.count()) {
+      other->Reject(
+          fmt::format("has {} probes, but {} has {}", other->count(), job.in.path, in.count()));
+    }
+  }
+  const ProbeFileGrid grid = GridOf(job, in, other);
+  OutputFile output(job.out.path);
+  ProbeWriter out = Create(job.out, output.path(), in, grid);
+  const uint64_t blocks = (in.count() + kBlockProbes - 1) / kBlockProbes;
+  const uint64_t cores = std::max(1u, std::thread::hardware_concurrency());
+  const uint64_t threads = std::min(job.threads != 0 ? job.threads : cores, blocks);
+  Converter converter(in, other ? &*other : nullptr, job.blend ? job.blend->weight : 0.0f, out,
+                      progress);
+  converter.Run(threads);
+  out.Close();
+  output.Commit();
+
+  ConvertSummary summary;
+  summary.probes = in.count();
+  summary.in = in.encoding();
+  summary.out = out.encoding();
+  summary.grid = grid;
+  summary.threads = threads;
+  summary.bytes_read = in.bytes_read() + (other ? other->bytes_read() : 0);
+  summary.bytes_written = out.bytes_written();
+  if (!converter.copies() && out.encoding().format != 0) summary.errors = converter.errors();
+  return summary;
+}
+
+}  // namespace gaunt::tool
