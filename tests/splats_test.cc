@@ -3,22 +3,20 @@
 #include "splats/splats.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "bad_input.h"
 #include "rotate/rotate_reference.h"
 #include "splats/turn.h"
+#include "tests/support/folder.h"
 #include "tests/support/random.h"
 
 namespace gaunt::test {
@@ -224,28 +222,8 @@ std::vector<Matrix> Turns() {
   return turns;
 }
 
-class Splats : public ::testing::Test {
+class Splats : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("gaunt-splats-" + std::to_string(getpid()));
-    fs::create_directory(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
-
-  static void Write(const std::string& path, const std::string& bytes) {
-    fs::remove(path);  // a new file is faster: a file system may flush one that is cut to nothing
-    std::ofstream(path, std::ios::binary) << bytes;
-  }
-  static std::string Read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  size_t FilesInFolder() const {
-    return static_cast<size_t>(std::distance(fs::directory_iterator(folder_), {}));
-  }
-
   void Run(const std::string& bytes, const Matrix& turn) {
     Write(Path("in.ply"), bytes);
     summary_ = tool::RotateSplats(Path("in.ply"), Path("out.ply"), turn, [](double) {});
@@ -278,7 +256,6 @@ class Splats : public ::testing::Test {
     return "accepted";
   }
 
-  fs::path folder_;
   tool::SplatSummary summary_ = {};
 };
 

@@ -87,7 +87,8 @@ bool ProbeReader::Read(ProbeBlock& block) {
     const size_t whole = std::min(block.count, size / stride_);
     Reject(whole < block.count
                ? fmt::format("is cut short: it has {} of {} probes", read_ + whole, count_)
-               : fmt::format("is cut short after probe {} of {}", read_ + whole - 1, count_));
+               : fmt::format("is cut short: the checksum after its probe {} is missing",
+                             read_ + whole - 1));
   }
   read_ += block.count;
   return true;

@@ -118,7 +118,7 @@ void PrintErrors(const EncodingErrors& errors, std::FILE* to) {
   }
   fmt::print(to, "clamped to the format's range: {} coefficients\n", errors.clamped);
   if (errors.not_finite > 0) {
-    fmt::print(to, "not finite, and in no number above: {} probes\n", errors.not_finite);
+    fmt::print(to, "not finite, and in no error above: {} probes\n", errors.not_finite);
   }
 }
 
