@@ -40,30 +40,46 @@ class Tiles {
   std::vector<float> floats_;
 };
 
-float& At(const gaunt_view& view, size_t item, size_t plane) {
-  const size_t tile = view.tile_items == 0 ? 0 : item / view.tile_items;
-  const size_t in_tile = item - tile * view.tile_items;
-  return *reinterpret_cast<float*>(reinterpret_cast<char*>(view.data) +
-                                   static_cast<ptrdiff_t>(tile) * view.tile_stride +
-                                   static_cast<ptrdiff_t>(in_tile) * view.item_stride +
-                                   static_cast<ptrdiff_t>(plane) * view.plane_stride);
+// A plane of the items of a tile: `step` floats from one to the next.
+struct Row {
+  float* data;
+  ptrdiff_t step;
+};
+Row RowOf(const gaunt_view& view, size_t first, size_t plane) {
+  const auto bytes = [](size_t index, ptrdiff_t stride) {
+    return static_cast<ptrdiff_t>(index) * stride;
+  };
+  char* data = reinterpret_cast<char*>(view.data) + bytes(plane, view.plane_stride);
+  data += view.tile_items == 0 ? bytes(first, view.item_stride)
+                               : bytes(first / view.tile_items, view.tile_stride);
+  return {reinterpret_cast<float*>(data), view.item_stride / static_cast<ptrdiff_t>(sizeof(float))};
+}
+
+// Calls visit(first, items) for all tiles.
+template <class Visit>
+void ForEachTile(size_t count, Visit visit) {
+  for (size_t first = 0; first < count; first += GAUNT_TILE_ITEMS) {
+    visit(first, static_cast<ptrdiff_t>(std::min<size_t>(count - first, GAUNT_TILE_ITEMS)));
+  }
 }
 
 // Bands that `from` lacks become 0, and those that `to` lacks are dropped.
 void CopyBands(size_t count, const gaunt_view& from, uint32_t from_order, const gaunt_view& to,
                uint32_t to_order) {
   const size_t from_size = size_t{from_order} * from_order, to_size = size_t{to_order} * to_order;
-  for (size_t first = 0; first < count; first += GAUNT_TILE_ITEMS) {
-    const size_t end = std::min<size_t>(count, first + GAUNT_TILE_ITEMS);
+  ForEachTile(count, [&](size_t first, ptrdiff_t items) {
     for (size_t channel = 0; channel < 3; ++channel) {
       for (size_t k = 0; k < to_size; ++k) {
-        for (size_t i = first; i < end; ++i) {
-          At(to, i, channel * to_size + k) =
-              k < from_size ? At(from, i, channel * from_size + k) : 0.0f;
+        const Row out = RowOf(to, first, channel * to_size + k);
+        if (k >= from_size) {
+          for (ptrdiff_t i = 0; i < items; ++i) out.data[i * out.step] = 0.0f;
+          continue;
         }
+        const Row in = RowOf(from, first, channel * from_size + k);
+        for (ptrdiff_t i = 0; i < items; ++i) out.data[i * out.step] = in.data[i * in.step];
       }
     }
-  }
+  });
 }
 
 ProbeReader Open(const ProbeInput& in) {
@@ -167,29 +183,38 @@ class Converter {
     Check(gaunt_probe_encode(out_.encoding().format, slot.in.count, &from, slot.out.bytes.data(),
                              out_.stride(), &report));
     slot.errors = {};
-    for (size_t i = 0; i < slot.in.count; ++i) AddProbe(slot, from, i);
+    ForEachTile(slot.in.count,
+                [&](size_t first, ptrdiff_t items) { AddErrors(slot, from, first, items); });
   }
 
-  void AddProbe(Slot& slot, const gaunt_view& from, size_t item) const {
-    EncodingErrors& errors = slot.errors;
-    const float* report = slot.report.data() + GAUNT_REPORT_PLANES * item;
-    errors.clamped += static_cast<uint64_t>(report[GAUNT_REPORT_CLAMPED]);
-    const size_t planes = out_.encoding().planes();
-    float zeros = 0.0f;  // or NaN
-    for (size_t p = 0; p < planes; ++p) zeros += 0.0f * At(from, item, p);
-    if (zeros != 0.0f) {
-      ++errors.not_finite;
-      return;
-    }
-    ++errors.finite;
+  // Of a tile.
+  void AddErrors(Slot& slot, const gaunt_view& from, size_t first, ptrdiff_t items) const {
     static const double kMeanOfOne = 1.0 / std::sqrt(4.0 * std::acos(-1.0));  // of E/pi, for L_0
-    for (size_t channel = 0; channel < 3; ++channel) {
-      errors.light += kMeanOfOne / 3.0 * At(from, item, channel * (planes / 3));
+    const size_t planes = out_.encoding().planes(), size = planes / 3;
+    float zeros[GAUNT_TILE_ITEMS] = {};  // or NaN
+    double light[GAUNT_TILE_ITEMS] = {};
+    for (size_t p = 0; p < planes; ++p) {
+      const Row row = RowOf(from, first, p);
+      for (ptrdiff_t i = 0; i < items; ++i) zeros[i] += 0.0f * row.data[i * row.step];
+      if (p % size != 0) continue;
+      for (ptrdiff_t i = 0; i < items; ++i) light[i] += kMeanOfOne / 3.0 * row.data[i * row.step];
     }
-    errors.rms += report[GAUNT_REPORT_RMS];
-    errors.largest += report[GAUNT_REPORT_MAX];
-    errors.worst_rms.Add(report[GAUNT_REPORT_RMS], slot.in.first + item);
-    errors.worst_largest.Add(report[GAUNT_REPORT_MAX], slot.in.first + item);
+    EncodingErrors& errors = slot.errors;
+    for (ptrdiff_t i = 0; i < items; ++i) {
+      const size_t item = first + static_cast<size_t>(i);
+      const float* report = slot.report.data() + GAUNT_REPORT_PLANES * item;
+      errors.clamped += static_cast<uint64_t>(report[GAUNT_REPORT_CLAMPED]);
+      if (zeros[i] != 0.0f) {
+        ++errors.not_finite;
+        continue;
+      }
+      ++errors.finite;
+      errors.light += light[i];
+      errors.rms += report[GAUNT_REPORT_RMS];
+      errors.largest += report[GAUNT_REPORT_MAX];
+      errors.worst_rms.Add(report[GAUNT_REPORT_RMS], slot.in.first + item);
+      errors.worst_largest.Add(report[GAUNT_REPORT_MAX], slot.in.first + item);
+    }
   }
 
   void Write(Slot& slot) {
