@@ -143,6 +143,52 @@ broken_splats "a second property" sed 's/float x/float y/'
 broken_splats "too many" sed 's/vertex 2/vertex 99999999999999999999/'
 broken_splats "lists" sed 's/uchar tag/list uchar uchar tag/'
 
+# Volumes: three probes of order 2, and six of order 1.
+for _ in 1 2 3; do floats 1 0 1 -1  2 1 0 0  1 1 1 1; done >order2.bin
+for _ in 1 2 3 4 5 6; do floats 1 2 2; done >order1.bin
+"$gaunt" pack order2.bin --format sh2_13 --out three.probes >out.txt || fail "pack"
+"$gaunt" pack order1.bin --format rgb9e5 --grid 1 2 3 --out six.probes >out.txt || fail "pack --grid"
+rejects format pack order2.bin --out turned
+rejects out pack order2.bin --format sh2_13
+rejects "'sh9' is no format; there are sh3_28, sh2_13" pack order2.bin --format sh9 --out turned
+rejects "no multiple of 108" pack order2.bin --format sh3_28 --out turned
+rejects "not in range" pack order2.bin --format sh2_13 --order 17 --out turned
+rejects "not in range" pack order2.bin --format sh2_13 --order 0 --out turned
+rejects "not in range" pack order2.bin --format sh2_13 --threads 0 --out turned
+rejects "not in range" pack order2.bin --format sh2_13 --threads 1025 --out turned
+rejects "stride of 44 bytes is less" pack order2.bin --format sh2_13 --stride 44 --out turned
+rejects "2 x 1 x 1, but 3 probes" pack order2.bin --format sh2_13 --grid 2 1 1 --out turned
+rejects "not in range" pack order2.bin --format sh2_13 --grid 3 1 0 --out turned
+rejects requires pack order2.bin --format sh2_13 --spacing 1 1 1 --out turned
+rejects "above 0" pack order2.bin --format sh2_13 --grid 3 1 1 --spacing 1 1 0 --out turned
+rejects "empty.hdr: is empty" pack empty.hdr --format sh2_13 --out turned
+rejects "it is a folder" pack folder --format sh2_13 --out turned
+rejects "it is a folder" pack order2.bin --format sh2_13 --out folder
+rejects "No such file" pack missing.bin --format sh2_13 --out turned
+rejects nowhere pack order2.bin --format sh2_13 --out nowhere/turned
+rejects "name is empty" pack order2.bin --format sh2_13 --out ""
+rejects "scene.ply: is no file of packed probes" unpack scene.ply --out turned
+rejects "give --raw-in" unpack three.probes --stride 13 --out turned
+rejects "is no format" unpack three.probes --raw-in none --out turned
+rejects "no multiple of the 4" unpack three.probes --out-stride 50 --out turned
+rejects "give --raw-out" transcode three.probes --format sh3_28 --out-stride 50 --out turned
+rejects "raw files have none" transcode three.probes --format rgb9e5 --raw-out --grid 3 1 1 --out turned
+rejects requires transcode three.probes --format sh3_28 --weight 0.5 --out turned
+rejects "not in range" transcode three.probes --format sh3_28 --blend three.probes --weight 2 --out turned
+rejects "not in range" transcode three.probes --format sh3_28 --blend three.probes --weight nan --out turned
+rejects "has 6 probes, but three.probes has 3" \
+  transcode three.probes --format sh3_28 --blend six.probes --out turned
+head -c -1 three.probes >broken.probes
+rejects "broken.probes: is cut short" transcode broken.probes --format sh3_28 --out turned
+{ cat three.probes; printf x; } >broken.probes
+rejects "broken.probes: has bytes after" unpack broken.probes --out turned
+{ head -c 80 three.probes; printf x; tail -c +82 three.probes; } >broken.probes
+rejects "broken.probes: is damaged" unpack broken.probes --out turned
+{ head -c 8 three.probes; printf '\2'; tail -c +10 three.probes; } >broken.probes
+rejects "broken.probes: has version 2" unpack broken.probes --out turned
+# A pipe does not say how many floats it has.
+rejects "no regular file" pack <(cat order2.bin) --format sh2_13 --out turned
+
 # Results of two orders: two methods, a scalar loop, and a series.
 row() { printf '%s{"name": "%s", "label": "%s", %s}' "$comma" "$1" "$2" "$3"; comma=,; }
 results() {
@@ -276,7 +322,67 @@ rm turned.ply
 [ $? -eq 1 ] && [ "$(cat err.txt)" = "gaunt: cannot write /dev/full: No space left on device" ] ||
   fail "rotate to a full device: $(cat err.txt)"
 
+# Volumes there and back.
+"$gaunt" pack order2.bin --format sh2_13 --out turned >out.txt 2>err.txt || fail "pack: $(cat err.txt)"
+cmp -s turned three.probes || fail "pack differs from itself"
+[ ! -s err.txt ] || fail "pack: stderr: $(cat err.txt)"
+grep -qE '^3 probes from floats of order 2 to sh2_13 in [0-9.]+ s \([0-9.e+-]+ million per second, [0-9]+ MB/s\): turned$' out.txt ||
+  fail "summary of pack: $(cat out.txt)"
+grep -qE '^error of E/pi relative to the mean light, 0.3761: RMS [0-9.]+ %' out.txt &&
+  grep -q '^clamped to the format.s range: 0 coefficients$' out.txt ||
+  fail "errors of pack: $(cat out.txt)"
+"$gaunt" unpack turned --json --out unpacked.bin >json.txt || fail "unpack"
+grep -q '"to": "floats of order 2"' json.txt || fail "unpack --json: $(cat json.txt)"
+od -A n -v -t f4 -w48 unpacked.bin | awk '{
+  split("1 0 1 -1 2 1 0 0 1 1 1 1", want, " ")
+  for (k = 1; k <= 12; ++k) if (($k - want[k]) ^ 2 > 1e-4) exit 1
+}' || fail "unpack: $(od -t f4 unpacked.bin)"
+[ "$(stat -c %s unpacked.bin)" = 144 ] || fail "size of unpacked floats"
+"$gaunt" transcode three.probes --format sh3_28 --raw-out --out-stride 32 --out raw.bin >out.txt ||
+  fail "transcode --raw-out"
+[ "$(stat -c %s raw.bin)" = 96 ] || fail "size of a raw file"
+"$gaunt" transcode raw.bin --raw-in sh3_28 --stride 32 --format sh2_13 --grid 3 1 1 --origin 0 -.5 0 \
+  --json --out raw.bin >json.txt || fail "transcode --raw-in"
+cmp -s <(tail -c +69 raw.bin) <(tail -c +69 three.probes) || fail "transcode to SH3 and back"
+grep -q '"errors"' json.txt && tr -d ' \n' <json.txt | grep -q '"origin":\[0.0,-0.5,0.0\]' ||
+  fail "transcode --json: $(cat json.txt)"
+"$gaunt" transcode three.probes --format sh2_13 --blend raw.bin --weight 1 --threads 1 --out turned \
+  >out.txt || fail "transcode --blend"
+cmp -s turned raw.bin || fail "a blend of equal volumes"
+cat three.probes | "$gaunt" unpack /dev/stdin --out /dev/stdout 2>err.txt | cmp -s - unpacked.bin &&
+  grep -q '^3 probes from sh2_13' err.txt || fail "unpack through pipes: $(cat err.txt)"
+rm turned
+for command in "pack order2.bin --format sh2_13" "unpack three.probes" "transcode three.probes --format rgb9e5"; do
+  "$gaunt" $command --out /dev/full >out.txt 2>err.txt
+  [ $? -eq 1 ] && [ "$(cat err.txt)" = "gaunt: cannot write /dev/full: No space left on device" ] ||
+    fail "$command to a full device: $(cat err.txt)"
+done
+head -c 1200000 /dev/zero >zeros.bin
+"$gaunt" pack zeros.bin --format rgb9e5 --out turned >out.txt || fail "pack of zeros"
+grep -q '^error of E/pi: RMS 0, of the worst probe (0) 0$' out.txt || fail "errors of zeros: $(cat out.txt)"
+cp turned before
+(ulimit -f 64 && "$gaunt" unpack turned --out turned >out.txt 2>err.txt)
+[ $? -eq 1 ] && [ "$(cat err.txt)" = "gaunt: cannot write turned: File too large" ] ||
+  fail "unpack beyond the limit of files: $(cat err.txt)"
+cmp -s turned before && [ -z "$(unfinished)" ] || fail "unpack at the limit of files changed its output"
+rm turned
+
 # An end in the middle leaves nothing either.
+mkfifo slow.probes
+head -c -1 three.probes >most.probes
+"$gaunt" unpack slow.probes --out turned >out.txt 2>err.txt &
+unpacking=$!
+exec 3>slow.probes
+cat most.probes >&3
+for _ in $(seq 100); do
+  [ -z "$(unfinished)" ] || break
+  sleep 0.1
+done
+[ "$(stat -c %a .gaunt*)" = 600 ] || fail "unpack: no private file to interrupt"
+kill -TERM $unpacking
+wait $unpacking 2>/dev/null
+[ $? -eq 143 ] && [ -z "$(unfinished)" ] && [ ! -e turned ] || fail "unpack left a file after SIGTERM"
+exec 3>&-
 mkfifo slow.ply
 ulimit -c 0
 for ending in TERM:143 ALRM:142 PIPE:141 XCPU:152; do
@@ -396,7 +502,7 @@ rm charts/.gaunt-trial
 "$gaunt" info | grep -q '^target ' || fail "info"
 "$gaunt" info --json | grep -q '"targets"' || fail "info --json"
 GAUNT_TARGET=nonsense "$gaunt" info | grep -q 'nonsense is unknown' || fail "unknown GAUNT_TARGET"
-for command in "" info opcount frame points rotate chart; do
+for command in "" info opcount frame points rotate pack unpack transcode chart; do
   "$gaunt" $command --help | grep -q -- --help || fail "help of '$command'"
 done
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Any bytes as a prepared product: outputs of bytes that say what gaunt_product_prepare() writes may
+// be anything, but nothing beside the data is read or written.
+#include "tests/fuzz/support.h"
+
+using namespace gaunt::fuzz;
+
+namespace {
+
+constexpr size_t kHeaderBytes = 24;  // magic, version, orders, kind
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  FuzzedDataProvider input(data, size);
+  // Mostly small orders: large ones take long.
+  const uint32_t most = input.ConsumeIntegralInRange<int>(0, 7) == 0 ? 10 : 4;
+  const auto n_f = input.ConsumeIntegralInRange<uint32_t>(1, most);
+  const auto n_in = input.ConsumeIntegralInRange<uint32_t>(1, most);
+  const auto n_out = input.ConsumeIntegralInRange<uint32_t>(1, n_f + n_in - 1);
+  const auto channels = input.ConsumeIntegralInRange<uint32_t>(1, 3);
+  const auto count = input.ConsumeIntegralInRange<size_t>(0, kMaxCount);
+  const bool right_header = input.ConsumeBool(), right_size = input.ConsumeBool();
+
+  size_t op_size = 0;
+  GAUNT_FUZZ_CHECK(gaunt_product_prepare(n_f, n_in, n_out, nullptr, nullptr, &op_size) == GAUNT_OK);
+  const size_t wanted = op_size;
+  if (!right_size) op_size = input.ConsumeIntegralInRange<size_t>(0, 2 * wanted);
+  const ExactBatch in(input, count, channels * n_in * n_in),
+      out(input, count, channels * n_out * n_out);
+  const ExactBytes op(input, op_size);
+  if (right_header && op_size >= kHeaderBytes) {
+    // Of a function that is 0.
+    float zeros[100] = {};
+    gaunt_view f;
+    gaunt_view_interleaved(zeros, n_f * n_f, &f);
+    const std::unique_ptr<uint8_t[]> prepared(new uint8_t[wanted]);
+    size_t capacity = wanted;
+    GAUNT_FUZZ_CHECK(gaunt_product_prepare(n_f, n_in, n_out, &f, prepared.get(), &capacity) ==
+                     GAUNT_OK);
+    GAUNT_FUZZ_CHECK(capacity == wanted);
+    std::memcpy(op.data(), prepared.get(), kHeaderBytes);
+  }
+  in.Fill(input);
+  const gaunt_status status =
+      gaunt_product_apply(op.data(), op.size(), channels, count, in.view(), out.view());
+  if (right_header) GAUNT_FUZZ_CHECK(status == (op_size == wanted ? GAUNT_OK : GAUNT_ERROR_FORMAT));
+  return 0;
+}
