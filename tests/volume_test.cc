@@ -196,7 +196,7 @@ class Volume : public FolderTest {
     const ProbeEncoding to = EncodingOfFormat(format);
     ConvertJob job;
     job.in = {Path("in"), EncodingOfFloats(order != 0 ? order : to.order), 0};
-    job.out = {Path("out"), to, false, 0, {}};
+    job.out = {Path("out"), to, false, 0, {}, false};
     return job;
   }
   ConvertJob UnpackJob() const {
@@ -209,7 +209,7 @@ class Volume : public FolderTest {
   ConvertJob TranscodeJob(uint32_t to) const {
     ConvertJob job;
     job.in.path = Path("in");
-    job.out = {Path("out"), EncodingOfFormat(to), false, 0, {}};
+    job.out = {Path("out"), EncodingOfFormat(to), false, 0, {}, false};
     return job;
   }
 
@@ -456,11 +456,11 @@ TEST_F(Volume, BlendsMatchTheDefinition) {
                           : 1.2e-7 * (std::abs(double{a[k]}) + std::abs(double{b[k]})));
         }
         // Packed, it is what the blend packs to.
-        job.out = {Path("out"), EncodingOfFormat(GAUNT_FORMAT_SH3_32), false, 0, {}};
+        job.out = {Path("out"), EncodingOfFormat(GAUNT_FORMAT_SH3_32), false, 0, {}, false};
         ASSERT_TRUE(Converted(job, ProbeFile(format_a, records_a)) ==
                     ProbeFile(GAUNT_FORMAT_SH3_32, Encode(GAUNT_FORMAT_SH3_32, blend)));
         // Floats, of another order.
-        job.out = {Path("out"), EncodingOfFloats(2), true, 48 + 4, {}};
+        job.out = {Path("out"), EncodingOfFloats(2), true, 48 + 4, {}, false};
         ASSERT_TRUE(Converted(job, ProbeFile(format_a, records_a)) ==
                     Spread(Bytes(WithOrder(blend, 3, 2)), 48, 52, '\0'));
       }
@@ -537,6 +537,23 @@ TEST_F(Volume, ErrorsMatchTheDefinition) {
   for (size_t channel = 0; channel < 36; ++channel) probes[4 * channel] = 0.5f;
   Converted(PackJob(GAUNT_FORMAT_SH2_13), Bytes(probes));
   EXPECT_EQ(summary_.errors->clamped, 12u * 9u);
+}
+
+TEST_F(Volume, RefinedRecordsAreTheLibrarys) {
+  constexpr size_t kCount = 70;
+  std::vector<float> probes = RandomProbes(kCount, 3);
+  gaunt_view view;
+  gaunt_view_interleaved(probes.data(), 27, &view);
+  std::string records(kCount * 28, '\0');
+  ASSERT_EQ(
+      gaunt_probe_encode_refined(GAUNT_FORMAT_SH3_28, kCount, &view, records.data(), 28, nullptr),
+      GAUNT_OK);
+  ConvertJob job = PackJob(GAUNT_FORMAT_SH3_28);
+  Converted(job, Bytes(probes));
+  const double before = summary_.errors->rms;
+  job.out.refined = true;
+  EXPECT_TRUE(Converted(job, Bytes(probes)) == ProbeFile(GAUNT_FORMAT_SH3_28, records));
+  EXPECT_LT(summary_.errors->rms, 0.99 * before);
 }
 
 TEST_F(Volume, GridsAreKept) {

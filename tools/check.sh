@@ -5,6 +5,7 @@
 #   (none)       release build with g++, tests, examples, benchmarks run once: 13 minutes
 #   --clang      the same with clang++: 13 minutes more
 #   --sanitize   tests of AVX2 under address and undefined-behaviour sanitizers: 6 minutes more
+#   --fuzz       a million inputs in each fuzzer, with clang++ and sanitizers: @FUZZTIME@ more
 #   --arm        tests on NEON, SVE and SVE2 under qemu-user: about an hour more
 #   --all        all of these
 # Closes with the numbers of tests passed and failed.
@@ -12,14 +13,15 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/packages.sh
 
-clang=no sanitize=no arm=no
+clang=no sanitize=no fuzz=no arm=no
 for argument in "$@"; do
   case "$argument" in
     --clang) clang=yes ;;
     --sanitize) sanitize=yes ;;
+    --fuzz) fuzz=yes ;;
     --arm) arm=yes ;;
-    --all) clang=yes sanitize=yes arm=yes ;;
-    -h|--help) sed -n '3,10s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    --all) clang=yes sanitize=yes fuzz=yes arm=yes ;;
+    -h|--help) sed -n '3,11s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "check.sh: unknown option $argument; see --help" >&2; exit 2 ;;
   esac
 done
@@ -63,6 +65,12 @@ if [ $sanitize = yes ]; then
   cmake --preset asan
   cmake --build --preset asan
   run_tests "sanitizers" build/asan
+fi
+if [ $fuzz = yes ]; then
+  tools/install_packages.sh $packages_clang
+  cmake --preset fuzz
+  cmake --build --preset fuzz
+  run_tests "fuzzers" build/fuzz
 fi
 if [ $arm = yes ]; then
   tools/install_packages.sh $packages_arm

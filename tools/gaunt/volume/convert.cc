@@ -104,9 +104,9 @@ struct Slot {
 
 class Converter {
  public:
-  Converter(ProbeReader& in, ProbeReader* other, float weight, ProbeWriter& out,
+  Converter(const ConvertJob& job, ProbeReader& in, ProbeReader* other, ProbeWriter& out,
             const std::function<void(double)>& progress)
-      : in_(in), other_(other), weight_(weight), out_(out), progress_(progress) {}
+      : job_(job), in_(in), other_(other), out_(out), progress_(progress) {}
 
   bool copies() const {
     return other_ == nullptr && in_.encoding().format == out_.encoding().format &&
@@ -170,7 +170,7 @@ class Converter {
   void Blend(Slot& slot, const gaunt_view& to) const {
     const gaunt_view other = slot.other_tiles.View(out_.encoding().planes());
     Decode(*other_, slot.other, slot, other);
-    float weight = weight_;
+    float weight = job_.blend->weight;
     gaunt_view weights;
     Check(gaunt_view_broadcast(&weight, &weights));
     Check(gaunt_sh_blend(out_.encoding().order, 3, slot.in.count, &to, &other, &weights, &to));
@@ -180,8 +180,9 @@ class Converter {
     slot.report.resize(kBlockProbes * GAUNT_REPORT_PLANES);
     gaunt_view report;
     Check(gaunt_view_interleaved(slot.report.data(), GAUNT_REPORT_PLANES, &report));
-    Check(gaunt_probe_encode(out_.encoding().format, slot.in.count, &from, slot.out.bytes.data(),
-                             out_.stride(), &report));
+    const auto encode = job_.out.refined ? gaunt_probe_encode_refined : gaunt_probe_encode;
+    Check(encode(out_.encoding().format, slot.in.count, &from, slot.out.bytes.data(), out_.stride(),
+                 &report));
     slot.errors = {};
     ForEachTile(slot.in.count,
                 [&](size_t first, ptrdiff_t items) { AddErrors(slot, from, first, items); });
@@ -224,9 +225,9 @@ class Converter {
               static_cast<double>(in_.count()));
   }
 
+  const ConvertJob& job_;
   ProbeReader& in_;
   ProbeReader* other_;
-  float weight_;
   ProbeWriter& out_;
   const std::function<void(double)>& progress_;
   EncodingErrors errors_;
@@ -286,8 +287,7 @@ ConvertSummary ConvertProbes(const ConvertJob& job, const std::function<void(dou
   const uint64_t blocks = (in.count() + kBlockProbes - 1) / kBlockProbes;
   const uint64_t cores = std::max(1u, std::thread::hardware_concurrency());
   const uint64_t threads = std::min(job.threads != 0 ? job.threads : cores, blocks);
-  Converter converter(in, other ? &*other : nullptr, job.blend ? job.blend->weight : 0.0f, out,
-                      progress);
+  Converter converter(job, in, other ? &*other : nullptr, out, progress);
   converter.Run(threads);
   out.Close();
   output.Commit();

@@ -31,6 +31,7 @@ struct ProbeOutput {
   bool raw = false;
   size_t stride = 0;                  // of a raw file; 0: without gaps
   std::optional<ProbeFileGrid> grid;  // of a file of packed probes; by default the input's
+  bool refined = false;               // by gaunt_probe_encode_refined()
 };
 
 struct ConvertJob {

@@ -28,6 +28,7 @@ struct VolumeOptions {
   std::string format;  // of the output
   std::string raw_in;  // format of a raw input
   bool raw_out = false;
+  bool refined = false;
   uint32_t order = 0;  // of floats; 0: the format's
   size_t stride = 0, out_stride = 0;
   std::vector<uint32_t> grid;
@@ -62,7 +63,7 @@ ConvertJob PackJob(const VolumeOptions& o) {
   ConvertJob job;
   const ProbeEncoding to = EncodingOfFormat(FormatOfName(o.format));
   job.in = {o.in, EncodingOfFloats(o.order != 0 ? o.order : to.order), o.stride};
-  job.out = {o.out, to, false, 0, GridOf(o)};
+  job.out = {o.out, to, false, 0, GridOf(o), o.refined};
   return job;
 }
 
@@ -71,15 +72,19 @@ ConvertJob UnpackJob(const VolumeOptions& o) {
   job.in = InputOf(o, o.in);
   std::optional<ProbeEncoding> to;
   if (o.order != 0) to = EncodingOfFloats(o.order);
-  job.out = {o.out, to, true, o.out_stride, {}};
+  job.out = {o.out, to, true, o.out_stride, {}, false};
   return job;
 }
 
 ConvertJob TranscodeJob(const VolumeOptions& o) {
   ConvertJob job;
   job.in = InputOf(o, o.in);
+  if (!(o.weight >= 0.0f && o.weight <= 1.0f)) {  // NaN is in all ranges of CLI11's
+    throw BadInput(fmt::format("--weight: {} is not in range 0 to 1", o.weight));
+  }
   if (!o.blend.empty()) job.blend = ProbeBlend{InputOf(o, o.blend), o.weight};
-  job.out = {o.out, EncodingOfFormat(FormatOfName(o.format)), o.raw_out, o.out_stride, GridOf(o)};
+  job.out = {o.out,    EncodingOfFormat(FormatOfName(o.format)), o.raw_out, o.out_stride, GridOf(o),
+             o.refined};
   if (o.raw_out && !o.grid.empty()) throw BadInput("--grid: raw files have none");
   if (!o.raw_out && o.out_stride != 0) {
     throw BadInput("--out-stride: only raw files have one; give --raw-out");
@@ -187,6 +192,9 @@ void AddOrder(CLI::App* command, const Options& o, const char* what) {
 
 void AddFormat(CLI::App* command, const Options& o) {
   command->add_option("--format", o->format, "Format to write, " + FormatsHelp())->required();
+  command->add_flag(
+      "--refined", o->refined,
+      "Search for the records of least error, which takes some hundred times as long");
 }
 
 void AddGrid(CLI::App* command, const Options& o) {
@@ -259,7 +267,6 @@ void AddTranscode(CLI::App& app) {
       command->add_option("--blend", o->blend, "File of as many probes, to blend with, read alike")
           ->check(NotEmpty);
   command->add_option("--weight", o->weight, "Share of that file, 0 to 1; by default 0.5")
-      ->check(CLI::Range(0.0f, 1.0f))
       ->needs(blend);
   AddGrid(command, o);
   AddCommon(command, o);
