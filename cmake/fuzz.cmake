@@ -7,7 +7,7 @@ add_custom_target(fuzz)
 
 # Kernels that no fuzzer is for are compiled as they are: with sanitizers those of products take an hour.
 get_target_property(sources gaunt_objects SOURCES)
-list(FILTER sources EXCLUDE REGEX "^capi/|^src/probe/|^src/product/prepare")
+list(FILTER sources EXCLUDE REGEX "^capi/|^src/probe/|^src/product/prepare[.]cc")
 set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -fno-sanitize=all)
 
 function(gaunt_fuzz name)

@@ -27,7 +27,7 @@
 
 namespace gaunt::fuzz {
 
-// Bytes of the input; where it has no more, 0. They may begin at any address.
+// Bytes of the input; where it has no more, 0.
 class ExactBytes {
  public:
   ExactBytes(FuzzedDataProvider& input, size_t size) : memory_(new uint8_t[size]), size_(size) {
