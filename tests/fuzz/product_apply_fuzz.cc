@@ -2,6 +2,9 @@
 // Any bytes as a prepared product: outputs of bytes that say what gaunt_product_prepare() writes may
 // be anything, but nothing behind the data is read or written. The kernels have no sanitizer, so that
 // all data ends before a page that must not be touched.
+#include <array>
+#include <map>
+
 #include "tests/fuzz/support.h"
 #include "tests/support/guarded.h"
 
@@ -18,6 +21,26 @@ gaunt_view Floats(const GuardedFloats& floats, size_t planes) {
   gaunt_view view;
   gaunt_view_interleaved(floats.data(), planes, &view);
   return view;
+}
+
+using Bytes = std::array<uint8_t, kHeaderBytes>;
+
+// What prepared bytes of these orders begin with. They are made once, for large ones take long.
+const Bytes& Header(uint32_t n_f, uint32_t n_in, uint32_t n_out, size_t size) {
+  static std::map<std::array<uint32_t, 3>, Bytes> headers;
+  const auto [at, is_new] = headers.try_emplace({n_f, n_in, n_out});
+  if (is_new) {
+    float zeros[GAUNT_MAX_PRODUCT_ORDER * GAUNT_MAX_PRODUCT_ORDER] = {};
+    gaunt_view f;
+    gaunt_view_interleaved(zeros, n_f * n_f, &f);
+    const std::unique_ptr<uint8_t[]> prepared(new uint8_t[size]);
+    size_t written = size;
+    GAUNT_FUZZ_CHECK(gaunt_product_prepare(n_f, n_in, n_out, &f, prepared.get(), &written) ==
+                     GAUNT_OK);
+    GAUNT_FUZZ_CHECK(written == size);
+    std::copy(prepared.get(), prepared.get() + kHeaderBytes, at->second.begin());
+  }
+  return at->second;
 }
 
 }  // namespace
@@ -42,16 +65,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const GuardedBytes op(op_size);
   input.ConsumeData(op.data(), op_size);
   if (right_header && op_size >= kHeaderBytes) {
-    // Of a function that is 0.
-    float zeros[100] = {};
-    gaunt_view f;
-    gaunt_view_interleaved(zeros, n_f * n_f, &f);
-    const std::unique_ptr<uint8_t[]> prepared(new uint8_t[wanted]);
-    size_t capacity = wanted;
-    GAUNT_FUZZ_CHECK(gaunt_product_prepare(n_f, n_in, n_out, &f, prepared.get(), &capacity) ==
-                     GAUNT_OK);
-    GAUNT_FUZZ_CHECK(capacity == wanted);
-    std::memcpy(op.data(), prepared.get(), kHeaderBytes);
+    const Bytes& header = Header(n_f, n_in, n_out, wanted);
+    std::copy(header.begin(), header.end(), op.data());
   }
   input.ConsumeData(in.data(), count * in_planes * sizeof(float));
   const gaunt_view in_view = Floats(in, in_planes), out_view = Floats(out, out_planes);
