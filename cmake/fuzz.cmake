@@ -17,7 +17,7 @@ function(gaunt_fuzz name)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
   add_dependencies(fuzz ${name})
   add_test(NAME Fuzz.${name} COMMAND ${name} -runs=${GAUNT_FUZZ_RUNS} -seed=1 -max_len=4096
-    -len_control=0 -timeout=10 -verbosity=0 -print_final_stats=1)
+    -len_control=0 -timeout=10 -verbosity=0 -print_funcs=0 -print_final_stats=1)
 endfunction()
 
 gaunt_fuzz(probe_decode_fuzz)
