@@ -9,12 +9,10 @@
   void RegisterBenchmarks_##family(); \
   }
 GAUNT_FOR_EACH_FAMILY(GAUNT_DECLARE)
-GAUNT_DECLARE(frame)
 
 int main(int argc, char** argv) {
 #define GAUNT_REGISTER(family) gaunt::bench::RegisterBenchmarks_##family();
   GAUNT_FOR_EACH_FAMILY(GAUNT_REGISTER)
-  GAUNT_REGISTER(frame)
   benchmark::AddCustomContext("target", gaunt_target_name());
   benchmark::AddCustomContext("compiler", GAUNT_BASELINE_COMPILER);
   benchmark::Initialize(&argc, argv);

@@ -71,7 +71,7 @@ class MemoryCheck {
   static bool Apart(const Memory& a, const Memory& b);
   static bool Same(const Memory& a, const Memory& b);
 
-  static constexpr int kMost = 6;
+  static constexpr int kMost = 11;
   size_t count_;
   gaunt_status status_ = GAUNT_OK;
   Memory memories_[kMost];

@@ -119,7 +119,7 @@ gaunt_status gaunt_probe_gather(uint32_t format, uint32_t n_out, size_t count, u
                   .Out(out, gaunt::probe::kChannels * n_out * n_out)
                   .status());
   if (count == 0) return GAUNT_OK;
-  KernelsOf(format).gather(n_out, count, {taps, indices, weights},
+  KernelsOf(format).gather(n_out, count, {taps, indices, weights, count},
                            {static_cast<const uint8_t*>(packed), packed_count, stride},
                            OutputOf(*out, count));
   return GAUNT_OK;

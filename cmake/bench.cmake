@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Benchmarks: one program; each family adds its file.
 add_executable(gaunt_bench bench/main.cc bench/limits.cc bench/support.cc bench/planes.cc
-  bench/accuracy.cc bench/series.cc bench/rotate_drift.cc bench/product_stability.cc
-  bench/frame_bench.cc)
+  bench/accuracy.cc bench/series.cc bench/rotate_drift.cc bench/product_stability.cc)
 gaunt_compile_internal(gaunt_bench)
 target_include_directories(gaunt_bench PRIVATE ${PROJECT_BINARY_DIR}/generated tools/gaunt)
 target_link_libraries(gaunt_bench PRIVATE gaunt_static gaunt_reference gaunt_count

@@ -2,7 +2,7 @@
 # The scalar loops of the frame job, as a user's compiler makes them: contraction as it
 # comes, and -O3 in every build.
 add_library(gaunt_frame_baseline STATIC EXCLUDE_FROM_ALL
-  bench/frame_baseline.cc bench/frame_reference.cc)
+  bench/frame_baseline.cc)
 target_include_directories(gaunt_frame_baseline PUBLIC ${PROJECT_SOURCE_DIR})
 target_include_directories(gaunt_frame_baseline PRIVATE
   ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)

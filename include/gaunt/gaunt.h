@@ -1600,6 +1600,62 @@ GAUNT_API gaunt_status gaunt_tetrahedra_taps(const void* mesh, size_t mesh_size,
                                              const gaunt_view* positions, uint32_t* tetrahedra,
                                              uint32_t* indices, float* weights);
 
+/* ---- frame ----------------------------------------------------------------------------------- */
+
+/**
+ * The objects of one frame and what is wanted of them. Set struct_size, and everything else to 0 that
+ * is not used: views that are NULL are left out.
+ */
+typedef struct gaunt_frame_job {
+  uint32_t struct_size;          /**< sizeof(gaunt_frame_job) */
+  uint32_t taps;                 /**< probes per object, 1 .. 65536 */
+  const uint32_t* indices;       /**< count * taps, as in gaunt_probe_gather() */
+  const float* weights;          /**< count * taps */
+  const void* packed;            /**< packed_count records, `stride` bytes apart */
+  size_t packed_count;           /**< probes */
+  size_t stride;                 /**< at least the bytes of a record */
+  const gaunt_view* history;     /**< 27 planes, unrotated radiance of the frames before; updated */
+  const gaunt_view* alpha;       /**< 1 plane, the share of this frame in the history; broadcast for
+                                      one share. Not NULL if there is a history, and not read else */
+  const gaunt_view* quaternions; /**< 4 planes x, y, z, w */
+  const gaunt_view* radiance;    /**< output: 27 planes, rotated */
+  const gaunt_view* directions;  /**< output: 3 planes, towards the dominant light */
+  const gaunt_view* colours;     /**< output: 3 planes, its colour */
+  const gaunt_view* ambient;     /**< output: 3 planes, the ambient light */
+  const gaunt_view* constants;   /**< output: 28 planes, the 7 float4 of a shader */
+} gaunt_frame_job;
+
+/**
+ * Lights the objects of a frame from packed probes, in one pass over them. It equals
+ *   gaunt_probe_gather(format, min(3, the format's order), ...)   to radiance of order 3
+ *   gaunt_sh_blend(3, 3, ..., history, radiance, alpha, history)  if there is a history; it goes on
+ *   gaunt_rotate(3, 3, ..., quaternions, radiance, radiance)      if there are quaternions
+ *   gaunt_light_direction(3, 3, ..., radiance, NULL, directions)
+ *   gaunt_light_extract(3, 3, 1, GAUNT_SENSE_IRRADIANCE, ..., directions, colours, ambient)
+ *   gaunt_irradiance_constants(3, ..., radiance, constants)
+ * to the bit, but for one quaternion for all objects or for the only one, which is applied like any
+ * other. What the gather does not give, bands 1 and 2 of a format of order 1 and band 2 of one of
+ * order 2, is 0; bands above 2 are not read.
+ *
+ * format  GAUNT_FORMAT_*
+ * count   objects
+ * job     what is read and written
+ *
+ * An object whose alpha is 1 takes nothing over from its history, but a NaN or an infinity. A
+ * quaternion of zeros does not rotate. Direction, colour and ambient light are fastest as fields of
+ * one record, in this order: their planes as those of one view of 9.
+ *
+ * Records are fetched ahead of their use where packed_count * stride is 4 MiB or more.
+ *
+ * Accuracy:  that of the functions above. With weights that are not negative and add up to 1,
+ *            alpha in [0, 1] and a history of such frames: |error| <= 4e-6 of radiance and constants,
+ *            relative to the largest coefficient of the object's probes.
+ * Overlap:   none between outputs, the history and inputs.
+ * Returns GAUNT_OK; GAUNT_ERROR_NULL, _STRUCT, _FORMAT, _RANGE, _LAYOUT, _OVERLAP.
+ */
+GAUNT_API gaunt_status gaunt_frame_light(uint32_t format, size_t count,
+                                         const gaunt_frame_job* job);
+
 /* ---- convert --------------------------------------------------------------------------------- */
 
 /** Values of the fields of gaunt_convention. They never change. */

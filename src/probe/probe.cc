@@ -56,7 +56,7 @@ void DecodeBatch(size_t count, const PackedProbes& packed, const simd::OutView& 
 template <class F>
 void GatherBatch(size_t order, size_t count, const Taps& taps, const PackedProbes& packed,
                  const simd::OutView& out) {
-  BlendBatch<F>(count, taps.count, order, TapRecord{taps, packed}, out);
+  BlendBatch<F>(count, taps.count, order, TapRecord{taps, packed, ItemsAhead(taps, packed)}, out);
 }
 
 template <class... F>

@@ -18,14 +18,18 @@ struct PackedProbes {
   size_t stride;
 };
 
-// Probes to blend for each item: taps of item i begin at [i * taps].
+// Probes to blend for each item: taps of item i begin at [i * count].
 struct Taps {
   size_t count;
   const uint32_t* indices;
   const float* weights;
+  size_t items;  // that have taps, those of later calls too
 };
 
 inline constexpr size_t kReportPlanes = 3;
+
+using GatherFn = void (*)(size_t order, size_t count, const Taps& taps, const PackedProbes& packed,
+                          const simd::OutView& out);
 
 struct FormatTable {
   // `report` is null or has kReportPlanes planes.
@@ -34,8 +38,7 @@ struct FormatTable {
   void (*encode_refined)(size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
                          const simd::OutView* report);
   void (*decode)(size_t count, const PackedProbes& packed, const simd::OutView& out);
-  void (*gather)(size_t order, size_t count, const Taps& taps, const PackedProbes& packed,
-                 const simd::OutView& out);
+  GatherFn gather;
 };
 
 struct Table {

@@ -15,8 +15,8 @@ struct CountRecordLanes : CountLanes {
   Counted Unsigned(Counted) const {
     return {};
   }
-  template <int, int>
-  Counted Signed(Counted) const {
+  template <int>
+  Counted SignedByte(Counted) const {
     return {};
   }
   template <int>

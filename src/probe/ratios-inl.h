@@ -15,16 +15,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::probe::HWY_NAMESPACE {
 
-// The number of a code, which is kScale v + kZero, and its bits.
+// The number of a code, which is kScale v + kZero, and its bits. What is read is kRead times that.
 template <Code kCode>
 struct Coding;
 template <>
 struct Coding<Code::kSnorm8> {
-  static constexpr double kScale = 127.0, kZero = 0.0;
+  static constexpr double kScale = 127.0, kZero = 0.0, kRead = 0x1p24;
   static constexpr int kWidth = 8;
   template <int kBit, class K, class Record>
   static GAUNT_LANES auto Get(const K& k, const Record& record) {
-    return record.template Signed<kBit, kWidth>(k);
+    return record.template SignedByte<kBit>(k);
   }
   template <class K, class V = typename K::V>
   static GAUNT_LANES V Bits(const K& k, V v) {
@@ -34,11 +34,11 @@ struct Coding<Code::kSnorm8> {
 // Read less 128, so that next to nothing cancels.
 template <>
 struct Coding<Code::kUnorm8> {
-  static constexpr double kScale = 127.5, kZero = -0.5;
+  static constexpr double kScale = 127.5, kZero = -0.5, kRead = 0x1p24;
   static constexpr int kWidth = 8;
   template <int kBit, class K, class Record>
   static GAUNT_LANES auto Get(const K& k, const Record& record) {
-    return record.template SignedLess128<kBit>(k);
+    return record.template ByteLess128<kBit>(k);
   }
   template <class K, class V = typename K::V>
   static GAUNT_LANES V Bits(const K& k, V v) {
@@ -47,7 +47,7 @@ struct Coding<Code::kUnorm8> {
 };
 template <>
 struct Coding<Code::kHalf> {
-  static constexpr double kScale = 0.5, kZero = 0.5;
+  static constexpr double kScale = 0.5, kZero = 0.5, kRead = 1.0;
   static constexpr int kWidth = 16;
   template <int kBit, class K, class Record>
   static GAUNT_LANES auto Get(const K& k, const Record& record) {
@@ -178,9 +178,9 @@ struct Ratios {
         out(c * size + i, k(0.0));
       } else {
         using C = Coding<F::CodeOf(c, i)>;
-        constexpr double kFactor = F::kMeanFactor * F::Range(i) / C::kScale;
+        constexpr double kFactor = F::kMeanFactor * F::Range(i) / (C::kRead * C::kScale);
         auto sum = sums(at + i);
-        if constexpr (C::kZero != 0.0) sum = NegMulAdd(k(C::kZero), sums(at), sum);
+        if constexpr (C::kZero != 0.0) sum = NegMulAdd(k(C::kRead * C::kZero), sums(at), sum);
         out(c * size + i, Mul(k(kFactor), sum));
       }
       FinishChannel<c, i + 1>(k, sums, size, out);

@@ -30,7 +30,7 @@ struct RecordLanes : Lanes {
     return hn::BitCast(LaneTag(), bits);
   }
 
-  // The integer of some bits of a word, without a sign and in two's complement.
+  // The integer of some bits of a word, without a sign.
   template <int kShift, int kWidth>
   GAUNT_LANES V Unsigned(V word) const {
     auto bits = Bits(word);
@@ -38,11 +38,13 @@ struct RecordLanes : Lanes {
     if constexpr (kShift + kWidth < 32) bits = hn::And(bits, hn::Set(U(), (1u << kWidth) - 1));
     return hn::ConvertTo(LaneTag(), hn::BitCast(I(), bits));
   }
-  template <int kShift, int kWidth>
-  GAUNT_LANES V Signed(V word) const {
-    auto bits = hn::BitCast(I(), word);
-    if constexpr (kShift + kWidth < 32) bits = hn::ShiftLeft<32 - kShift - kWidth>(bits);
-    return hn::ConvertTo(LaneTag(), hn::ShiftRight<32 - kWidth>(bits));
+  // Times 2^24, a byte in two's complement: it need not go all the way down.
+  template <int kShift>
+  GAUNT_LANES V SignedByte(V word) const {
+    auto bits = Bits(word);
+    if constexpr (kShift != 24) bits = hn::ShiftLeft<24 - kShift>(bits);
+    if constexpr (kShift != 0) bits = hn::And(bits, hn::Set(U(), 0xFF000000u));
+    return hn::ConvertTo(LaneTag(), hn::BitCast(I(), bits));
   }
   // The topmost bit of each byte the other way round.
   GAUNT_LANES V FlipSigns(V word) const {
@@ -167,16 +169,16 @@ struct RecordIn {
     using F = Field<Words, kBit, kWidth>;
     return k.template Unsigned<F::kShift, kWidth>(words(F::kWord));
   }
-  template <int kBit, int kWidth, class K>
-  GAUNT_LANES auto Signed(const K& k) const {
-    using F = Field<Words, kBit, kWidth>;
-    return k.template Signed<F::kShift, kWidth>(words(F::kWord));
-  }
-  // A byte without a sign, less 128.
+  // Times 2^24, a byte with a sign, and one without a sign less 128.
   template <int kBit, class K>
-  GAUNT_LANES auto SignedLess128(const K& k) const {
+  GAUNT_LANES auto SignedByte(const K& k) const {
     using F = Field<Words, kBit, 8>;
-    return k.template Signed<F::kShift, 8>(k.FlipSigns(words(F::kWord)));
+    return k.template SignedByte<F::kShift>(words(F::kWord));
+  }
+  template <int kBit, class K>
+  GAUNT_LANES auto ByteLess128(const K& k) const {
+    using F = Field<Words, kBit, 8>;
+    return k.template SignedByte<F::kShift>(k.FlipSigns(words(F::kWord)));
   }
   template <int kBit, class K>
   GAUNT_LANES auto TinyHalf(const K& k) const {

@@ -4,7 +4,7 @@
 #include <time.h>
 
 #include "bench/frame_baseline.h"
-#include "bench/frame_reference.h"
+#include "frame/frame_reference.h"
 #include "frame/parallel.h"
 
 GAUNT_DECLARE_FRAME_BASELINE(baseline)

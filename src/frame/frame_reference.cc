@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/frame_reference.h"
+#include "frame/frame_reference.h"
 
 #include <algorithm>
 

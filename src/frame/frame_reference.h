@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The frame job of one object by its definition, in double precision.
-#ifndef GAUNT_BENCH_FRAME_REFERENCE_H_
-#define GAUNT_BENCH_FRAME_REFERENCE_H_
+#ifndef GAUNT_FRAME_FRAME_REFERENCE_H_
+#define GAUNT_FRAME_FRAME_REFERENCE_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -19,4 +19,4 @@ void LightReference(const double history[27], const double quaternion[4], bool r
 
 }  // namespace gaunt::frame
 
-#endif  // GAUNT_BENCH_FRAME_REFERENCE_H_
+#endif  // GAUNT_FRAME_FRAME_REFERENCE_H_
