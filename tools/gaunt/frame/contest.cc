@@ -120,19 +120,22 @@ class ReferenceRun {
 
 }  // namespace
 
-ContestResult RunContest(const ProbeVolume& volume, const std::vector<uint8_t>& packed,
-                         Objects* objects, int frames,
+ContestResult RunContest(const ProbeVolume& volume, uint32_t format,
+                         const std::vector<uint8_t>& packed, Objects* objects, int frames,
                          const std::function<void(double)>& progress) {
   const size_t count = objects->count();
-  LightJob job(count);
+  LightJob job(count), steps(count);
   BaselineRun a(count, baseline::FrameA), a2(count, baseline::FrameA2);
   ReferenceRun reference(count);
-  std::vector<double> samples[3];
+  // The scalar loops know one format.
+  const int runs = format == GAUNT_FORMAT_SH3_28 ? 4 : 2;
+  std::vector<double> samples[4];
   ContestResult result = {};
   FrameInput input = {};
   for (int frame = 0; frame < frames; ++frame) {
     objects->MoveTo(frame, volume.grid);
     input = {count,
+             format,
              packed.data(),
              volume.grid.count(),
              objects->indices().data(),
@@ -141,12 +144,13 @@ ContestResult RunContest(const ProbeVolume& volume, const std::vector<uint8_t>& 
              objects->quaternions().data()};
     const uint8_t* rotates = objects->rotates().data();
     // In turn, so that a slow moment of the machine meets all of them.
-    for (int turn = 0; turn < 3; ++turn) {
-      const int who = (frame + turn) % 3;
+    for (int turn = 0; turn < runs; ++turn) {
+      const int who = (frame + turn) % runs;
       const double start = ThreadNanoseconds();
       if (who == 0) job.Run(input);
-      if (who == 1) a.Run(input, rotates);
-      if (who == 2) a2.Run(input, rotates);
+      if (who == 1) steps.RunSteps(input);
+      if (who == 2) a.Run(input, rotates);
+      if (who == 3) a2.Run(input, rotates);
       samples[who].push_back(ThreadNanoseconds() - start);
     }
     reference.Blend(volume, *objects);
@@ -156,11 +160,14 @@ ContestResult RunContest(const ProbeVolume& volume, const std::vector<uint8_t>& 
   result.constants = job.constants();
   result.lights = job.lights();
   result.errors = ErrorsOf(result.constants, result.reference_constants);
-  for (int frame = 0; frame < kStepFrames; ++frame) job.Run(input, &result.steps);
+  for (int frame = 0; frame < kStepFrames; ++frame) steps.RunSteps(input, &result.steps);
   for (double& step : result.steps) step /= static_cast<double>(count) * kStepFrames;
   result.gaunt = TimingOf(samples[0], count);
-  result.baselines = {{"A", GAUNT_BASELINE_COMPILER, TimingOf(samples[1], count)},
-                      {"A2", GAUNT_BASELINE_COMPILER, TimingOf(samples[2], count)}};
+  result.by_steps = TimingOf(samples[1], count);
+  if (runs == 4) {
+    result.baselines = {{"A", GAUNT_BASELINE_COMPILER, TimingOf(samples[2], count)},
+                        {"A2", GAUNT_BASELINE_COMPILER, TimingOf(samples[3], count)}};
+  }
   return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main job against the scalar loops, frame by frame in turn, and against double precision.
+// The main job against its steps and the scalar loops, frame by frame in turn, and against double
+// precision.
 #ifndef GAUNT_TOOLS_GAUNT_FRAME_CONTEST_H_
 #define GAUNT_TOOLS_GAUNT_FRAME_CONTEST_H_
 
@@ -31,16 +32,18 @@ struct Errors {
 
 struct ContestResult {
   Timing gaunt;
-  StepTimes steps;  // nanoseconds per object
-  std::vector<Baseline> baselines;
+  Timing by_steps;                  // the same by the functions of the steps
+  StepTimes steps;                  // nanoseconds per object
+  std::vector<Baseline> baselines;  // of GAUNT_FORMAT_SH3_28 alone
   Errors errors;
   std::vector<float> constants, lights;                      // of the last frame, packed
   std::vector<float> reference_constants, reference_lights;  // from unpacked probes
 };
 
 // Lights the objects for a number of frames; they end in the last one.
-ContestResult RunContest(const ProbeVolume& volume, const std::vector<uint8_t>& packed,
-                         Objects* objects, int frames, const std::function<void(double)>& progress);
+ContestResult RunContest(const ProbeVolume& volume, uint32_t format,
+                         const std::vector<uint8_t>& packed, Objects* objects, int frames,
+                         const std::function<void(double)>& progress);
 
 }  // namespace gaunt::tool
 

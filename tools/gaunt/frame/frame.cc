@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "evaluate/evaluate_reference.h"
+#include "format_name.h"
 #include "frame/bake.h"
 #include "frame/contest.h"
 #include "frame/environment.h"
@@ -22,13 +23,13 @@
 namespace gaunt::tool {
 namespace {
 
-constexpr size_t kRecordBytes = 28;
 constexpr uint64_t kMaxProbes = 1u << 22;
 constexpr int kPictureWidth = 1280, kPictureHeight = 480;
 constexpr size_t kMaxPictureObjects = 300;  // more would hide the scene
 
 struct FrameOptions {
   std::string scene = "courtyard";
+  std::string format = "sh3_28";
   std::string environment;
   std::string out = "out";
   std::string target;
@@ -71,14 +72,36 @@ IndirectFn SkyLight(const Environment& environment) {
   };
 }
 
-std::vector<uint8_t> Pack(const ProbeVolume& volume) {
-  std::vector<float> coefficients(volume.coefficients.begin(), volume.coefficients.end());
-  std::vector<uint8_t> packed(volume.grid.count() * kRecordBytes);
+// Coefficients of the first orders, channel-major, from `in` to `out` of others; what is new is 0.
+void ChangeOrder(size_t count, uint32_t from, const float* in, uint32_t to, float* out) {
+  for (size_t k = 0; k < 3 * count; ++k, in += from * from, out += to * to) {
+    std::fill(out, out + to * to, 0.0f);
+    std::copy(in, in + std::min(from * from, to * to), out);
+  }
+}
+
+std::vector<uint8_t> Pack(const ProbeVolume& volume, uint32_t format) {
+  const gaunt_format_properties properties = PropertiesOfFormat(format);
+  const std::vector<float> exact(volume.coefficients.begin(), volume.coefficients.end());
+  std::vector<float> coefficients(volume.grid.count() * properties.planes);
+  ChangeOrder(volume.grid.count(), 3, exact.data(), properties.order, coefficients.data());
+  std::vector<uint8_t> packed(volume.grid.count() * properties.bytes);
   gaunt_view view;
-  gaunt_view_interleaved(coefficients.data(), ProbeVolume::kPlanes, &view);
-  Check(gaunt_probe_encode(GAUNT_FORMAT_SH3_28, volume.grid.count(), &view, packed.data(),
-                           kRecordBytes, nullptr));
+  gaunt_view_interleaved(coefficients.data(), properties.planes, &view);
+  Check(gaunt_probe_encode(format, volume.grid.count(), &view, packed.data(), properties.bytes,
+                           nullptr));
   return packed;
+}
+
+// Of order 3.
+std::vector<float> Unpack(const std::vector<uint8_t>& packed, uint32_t format, size_t count) {
+  const gaunt_format_properties properties = PropertiesOfFormat(format);
+  std::vector<float> decoded(count * properties.planes), result(count * ProbeVolume::kPlanes);
+  gaunt_view view;
+  gaunt_view_interleaved(decoded.data(), properties.planes, &view);
+  Check(gaunt_probe_decode(format, count, packed.data(), properties.bytes, &view));
+  ChangeOrder(count, properties.order, decoded.data(), 3, result.data());
+  return result;
 }
 
 LitSphere MakeSphere(const Vec3& centre, double radius, const Vec3& albedo, const float* constants,
@@ -128,15 +151,11 @@ std::vector<LitSphere> ProbeSpheres(const ProbeVolume& volume, std::vector<float
 }
 
 void WritePictures(const FrameOptions& options, const Scene& scene, const Environment& environment,
-                   const IndirectFn& sky, const ProbeVolume& volume,
+                   const IndirectFn& sky, const ProbeVolume& volume, uint32_t format,
                    const std::vector<uint8_t>& packed, const Objects& objects,
                    const ContestResult& result) {
   const IndirectFn indirect = LightFrom(scene, volume, sky);
-  std::vector<float> decoded(volume.coefficients.size());
-  gaunt_view view;
-  gaunt_view_interleaved(decoded.data(), ProbeVolume::kPlanes, &view);
-  Check(gaunt_probe_decode(GAUNT_FORMAT_SH3_28, volume.grid.count(), packed.data(), kRecordBytes,
-                           &view));
+  const std::vector<float> decoded = Unpack(packed, format, volume.grid.count());
   const std::vector<float> exact(volume.coefficients.begin(), volume.coefficients.end());
   const auto write = [&](const std::vector<LitSphere>& left, const std::vector<LitSphere>& right,
                          const char* name) {
@@ -156,13 +175,13 @@ void PrintText(const FrameOptions& options, const TexelReport& report, const Pro
     fmt::print("{}: {} negative and {} non-finite texel values set to 0\n", options.environment,
                report.negative, report.not_finite);
   }
-  fmt::print("volume: {} x {} x {} probes in {} bytes, {} each (unpacked: {})\n", volume.grid.nx,
-             volume.grid.ny, volume.grid.nz, bytes, kRecordBytes,
-             volume.grid.count() * ProbeVolume::kPlanes * sizeof(float));
+  fmt::print("volume: {} x {} x {} probes in {} bytes, {} each as {} (unpacked: {})\n",
+             volume.grid.nx, volume.grid.ny, volume.grid.nz, bytes, bytes / volume.grid.count(),
+             options.format, volume.grid.count() * ProbeVolume::kPlanes * sizeof(float));
   fmt::print("{} objects: {:.3g} ms per frame ({:.1f} ns per object) on {}, one thread\n",
              options.objects, result.gaunt.median * options.objects * 1e-6, result.gaunt.median,
              gaunt_target_name());
-  fmt::print("ns per object by step:");
+  fmt::print("by steps: {:.1f} ns per object:", result.by_steps.median);
   for (int step = 0; step < kSteps; ++step) {
     fmt::print(" {} {:.1f}", kStepNames[step], result.steps[static_cast<size_t>(step)]);
   }
@@ -170,6 +189,7 @@ void PrintText(const FrameOptions& options, const TexelReport& report, const Pro
       "\nirradiance against unpacked probes in double precision: RMS error {:.2f} %, "
       "largest {:.2f} % of an object's mean\n",
       100.0 * result.errors.rms, 100.0 * result.errors.largest);
+  if (result.baselines.empty()) fmt::print("the scalar loops know sh3_28 only\n");
   for (const Baseline& baseline : result.baselines) {
     fmt::print("scalar loop {} ({}): {:.1f} ns per object, {:.1f} x the time\n", baseline.name,
                baseline.compiler, baseline.timing.median,
@@ -178,13 +198,14 @@ void PrintText(const FrameOptions& options, const TexelReport& report, const Pro
 }
 
 void PrintResult(const FrameOptions& options, const TexelReport& report, const ProbeVolume& volume,
-               size_t bytes, const ContestResult& result) {
+                 size_t bytes, const ContestResult& result) {
   const auto timing = [](const Timing& t) {
     return nlohmann::ordered_json{{"p05", t.p05}, {"median", t.median}};
   };
   nlohmann::ordered_json json;
   json["target"] = gaunt_target_name();
   json["scene"] = options.scene;
+  json["format"] = options.format;
   json["environment"] = options.environment.empty() ? "procedural" : options.environment;
   json["texels"] = {{"negative", report.negative}, {"not_finite", report.not_finite}};
   json["grid"] = {volume.grid.nx, volume.grid.ny, volume.grid.nz};
@@ -192,6 +213,7 @@ void PrintResult(const FrameOptions& options, const TexelReport& report, const P
   json["objects"] = options.objects;
   json["frames"] = options.frames;
   json["ns_per_object"] = timing(result.gaunt);
+  json["ns_per_object_by_steps"] = timing(result.by_steps);
   for (int step = 0; step < kSteps; ++step) {
     json["steps"][kStepNames[step]] = result.steps[static_cast<size_t>(step)];
   }
@@ -209,6 +231,7 @@ void PrintResult(const FrameOptions& options, const TexelReport& report, const P
 void RunFrame(const FrameOptions& options) {
   const std::optional<Scene> scene = Scene::Make(options.scene);
   if (!scene) throw BadInput("unknown scene " + options.scene);
+  const uint32_t format = FormatOfName(options.format);
   const uint64_t probes = uint64_t{options.grid[0]} * options.grid[1] * options.grid[2];
   if (probes > kMaxProbes) {
     throw BadInput(fmt::format("a grid of {} probes is too large: at most {}", probes, kMaxProbes));
@@ -229,17 +252,17 @@ void RunFrame(const FrameOptions& options) {
     volume = Bake(*scene, environment, sky, grid, static_cast<int>(options.rays),
                   static_cast<int>(options.bounces), [&](double f) { bar.Set(f); });
   }
-  const std::vector<uint8_t> packed = Pack(volume);
+  const std::vector<uint8_t> packed = Pack(volume, format);
   Objects objects(*scene, options.objects);
   ContestResult result;
   {
     Progress bar("lighting");
-    result = RunContest(volume, packed, &objects, static_cast<int>(options.frames),
+    result = RunContest(volume, format, packed, &objects, static_cast<int>(options.frames),
                         [&](double f) { bar.Set(f); });
   }
   {
     const Progress bar("drawing");
-    WritePictures(options, *scene, environment, sky, volume, packed, objects, result);
+    WritePictures(options, *scene, environment, sky, volume, format, packed, objects, result);
   }
   if (options.json) return PrintResult(options, report, volume, packed.size(), result);
   PrintText(options, report, volume, packed.size(), result);
@@ -260,6 +283,10 @@ void AddFrame(CLI::App& app) {
   command->add_option("--grid", o->grid, "Probes along x, y and z")
       ->expected(3)
       ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      ->add_option("--format", o->format,
+                   "How probes are packed: a format by name, such as sh3_28, sh3_32 or sh2_13")
       ->capture_default_str();
   command->add_option("--rays", o->rays, "Rays per probe")
       ->check(CLI::Range(16, 65536))

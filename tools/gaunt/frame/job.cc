@@ -9,9 +9,16 @@ namespace gaunt::tool {
 namespace {
 
 constexpr size_t kPlanes = 27;
+constexpr uint32_t kTaps = 8;
 
 void Check(gaunt_status status) {
   if (status != GAUNT_OK) throw std::runtime_error(gaunt_status_string(status));
+}
+
+gaunt_format_properties PropertiesOf(uint32_t format) {
+  gaunt_format_properties properties = {sizeof(properties), 0, 0, 0};
+  Check(gaunt_format_info(format, &properties));
+  return properties;
 }
 
 // Inputs are never written, but views have one type for inputs and outputs.
@@ -41,16 +48,63 @@ LightJob::LightJob(size_t count)
     : history_(WholeTiles(count) * kTile * kPlanes),
       constants_(count * kConstants),
       lights_(count * kLight),
+      gathered_(kTile * kPlanes),
       now_(kTile * kPlanes),
       rotated_(kTile * kPlanes) {}
 
-void LightJob::RunStep(Step step, const FrameInput& input, const Tile& tile) const {
+void LightJob::Run(const FrameInput& input) {
+  gaunt_view history, alpha, quaternions, constants, directions;
+  gaunt_view_tiled(history_.data(), kPlanes, &history);
+  float share = input.alpha;
+  gaunt_view_broadcast(&share, &alpha);
+  quaternions = Interleaved(input.quaternions, 4);
+  constants = Interleaved(constants_.data(), kConstants);
+  directions = Interleaved(lights_.data(), kLight);
+  gaunt_view colours = directions, ambient = directions;  // fields of one record
+  colours.data += 3;
+  ambient.data += 6;
+  gaunt_frame_job job = {};
+  job.struct_size = sizeof(job);
+  job.taps = kTaps;
+  job.indices = input.indices;
+  job.weights = input.weights;
+  job.packed = input.packed;
+  job.packed_count = input.probes;
+  job.stride = PropertiesOf(input.format).bytes;
+  job.history = &history;
+  job.alpha = &alpha;
+  job.quaternions = &quaternions;
+  job.directions = &directions;
+  job.colours = &colours;
+  job.ambient = &ambient;
+  job.constants = &constants;
+  Check(gaunt_frame_light(input.format, input.count, &job));
+}
+
+// Of order 3, whatever the format's.
+void LightJob::Gather(const FrameInput& input, const Tile& tile) {
+  const gaunt_format_properties properties = PropertiesOf(input.format);
+  const uint32_t order = std::min(properties.order, 3u);
+  const size_t size = order * order;
+  const gaunt_view gathered = Tiled(gathered_.data(), 3 * size);
+  Check(gaunt_probe_gather(input.format, order, tile.count, kTaps,
+                           input.indices + tile.first * kTaps, input.weights + tile.first * kTaps,
+                           input.packed, input.probes, properties.bytes,
+                           order == 3 ? &tile.now : &gathered));
+  if (order == 3) return;
+  constexpr size_t kItems = GAUNT_TILE_ITEMS;
+  for (size_t i = 0; i < kTile / kItems; ++i) {
+    for (size_t c = 0; c < 3; ++c) {
+      const float* const from = gathered_.data() + (i * 3 + c) * size * kItems;
+      std::copy(from, from + size * kItems, now_.data() + (i * 3 + c) * 9 * kItems);
+    }
+  }
+}
+
+void LightJob::RunStep(Step step, const FrameInput& input, const Tile& tile) {
   const size_t n = tile.count;
   switch (step) {
-    case Step::kGather:
-      return Check(gaunt_probe_gather(GAUNT_FORMAT_SH3_28, 3, n, 8, input.indices + tile.first * 8,
-                                      input.weights + tile.first * 8, input.packed, input.probes,
-                                      28, &tile.now));
+    case Step::kGather: return Gather(input, tile);
     case Step::kLerp:
       return Check(gaunt_sh_blend(3, 3, n, &tile.history, &tile.now, &tile.alpha, &tile.history));
     case Step::kRotate:
@@ -65,7 +119,7 @@ void LightJob::RunStep(Step step, const FrameInput& input, const Tile& tile) con
   }
 }
 
-void LightJob::Run(const FrameInput& input, StepTimes* times) {
+void LightJob::RunSteps(const FrameInput& input, StepTimes* times) {
   using Clock = std::chrono::steady_clock;
   const auto nanoseconds = [](Clock::duration d) {
     return std::chrono::duration<double, std::nano>(d).count();

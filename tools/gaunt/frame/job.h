@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main job through the C API: light the dynamic objects of one frame from packed probes.
+// The main job through the C API: light the dynamic objects of one frame from packed probes, by the one
+// function for it or by those of its steps.
 #ifndef GAUNT_TOOLS_GAUNT_FRAME_JOB_H_
 #define GAUNT_TOOLS_GAUNT_FRAME_JOB_H_
 
@@ -15,7 +16,8 @@ namespace gaunt::tool {
 // What one frame needs to know of its objects.
 struct FrameInput {
   size_t count;
-  const uint8_t* packed;  // records of GAUNT_FORMAT_SH3_28
+  uint32_t format;        // GAUNT_FORMAT_*
+  const uint8_t* packed;  // records, back to back
   size_t probes;
   const uint32_t* indices;   // [i * 8 + tap]
   const float* weights;      // [i * 8 + tap]
@@ -23,7 +25,7 @@ struct FrameInput {
   const float* quaternions;  // x y z w; all zero for objects that do not rotate
 };
 
-// Steps of a frame, which go one after the other over tiles of objects.
+// Steps of a frame, which one after the other go over a tile of objects.
 enum class Step { kGather, kLerp, kRotate, kDirection, kExtract, kConstants };
 inline constexpr int kSteps = 6;
 inline constexpr const char* kStepNames[kSteps] = {"gather",    "lerp",    "rotate",
@@ -32,26 +34,30 @@ using StepTimes = std::array<double, kSteps>;  // nanoseconds, of all objects
 
 class LightJob {
  public:
-  static constexpr size_t kTile = 256;      // objects
+  static constexpr size_t kTile = 64;       // objects
   static constexpr size_t kConstants = 28;  // floats per object: 7 float4
   static constexpr size_t kLight = 9;       // direction, colour, ambient
 
   explicit LightJob(size_t count);
 
-  // Lights one frame. With `times`, adds to the time of each step; that costs time itself.
-  void Run(const FrameInput& input, StepTimes* times = nullptr);
+  // Lights one frame, by gaunt_frame_light().
+  void Run(const FrameInput& input);
+  // The same, but for a rounding of one quaternion alone, by the functions of the steps. With `times`,
+  // adds to the time of each step; that costs time itself.
+  void RunSteps(const FrameInput& input, StepTimes* times = nullptr);
 
   const std::vector<float>& constants() const { return constants_; }
   const std::vector<float>& lights() const { return lights_; }
 
  private:
   struct Tile;  // views of a tile's data
-  void RunStep(Step step, const FrameInput& input, const Tile& tile) const;
+  void RunStep(Step step, const FrameInput& input, const Tile& tile);
+  void Gather(const FrameInput& input, const Tile& tile);
 
   std::vector<float> history_;  // tiles of 16 objects, 27 planes
   std::vector<float> constants_;
   std::vector<float> lights_;
-  std::vector<float> now_, rotated_;  // scratch of one tile
+  std::vector<float> gathered_, now_, rotated_;  // scratch of one tile
 };
 
 }  // namespace gaunt::tool
