@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The frame job against its scalar loops on synthetic probes: frame/<case>/<target or baseline>.
-// Items are objects.
+// The frame job, in one call and by steps, against its scalar loops on synthetic probes:
+// frame/<case>/<target or baseline>. Items are objects.
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "bench/formats.h"
 #include "bench/frame_baseline.h"
 #include "bench/support.h"
 #include "frame/job.h"
@@ -17,105 +20,180 @@ namespace {
 
 constexpr size_t kFrames = 4;  // of taps, one after the other
 
-// Objects in a grid of probes that is 16 wide and 128 to a layer; near objects share probes.
-struct FrameData {
+struct FrameCase {
   size_t objects, probes;
+  bool coherent;  // near objects have near probes; else anywhere
+  uint32_t format;
+
+  bool operator==(const FrameCase& o) const {
+    return objects == o.objects && probes == o.probes && coherent == o.coherent &&
+           format == o.format;
+  }
+};
+
+// Objects in a grid of probes: 16 wide and 128 to a layer or, of a million, 100 and 10000.
+struct FrameData {
+  FrameCase from;
   std::vector<uint8_t> packed, rotates;
   std::vector<uint32_t> indices[kFrames];
   std::vector<float> weights, quaternions;
 
-  FrameData(size_t object_count, size_t probe_count)
-      : objects(object_count),
-        probes(probe_count),
-        packed(probe_count * 28),
-        rotates(object_count),
-        weights(object_count * 8),
-        quaternions(object_count * 4) {
-    uint32_t state = 1;
-    const auto random = [&state] { return (state = state * 1664525u + 1013904223u) >> 8; };
-    for (size_t k = 0; k < packed.size(); ++k) {
-      packed[k] = static_cast<uint8_t>(k % 28 == 3 ? 0x7C + random() % 4 : random() % 255 + 129);
-    }
-    for (size_t i = 0; i < objects; ++i) {
+  explicit FrameData(const FrameCase& f)
+      : from(f), rotates(f.objects), weights(f.objects * 8), quaternions(f.objects * 4) {
+    MakeRecords();
+    for (size_t i = 0; i < f.objects; ++i) {
       for (int t = 0; t < 8; ++t) {
-        weights[8 * i + static_cast<size_t>(t)] = static_cast<float>(random() % 1000) * 2.5e-4f;
+        weights[8 * i + static_cast<size_t>(t)] = static_cast<float>(Random() % 1000) * 2.5e-4f;
       }
-      rotates[i] = random() % 10 < 3 ? 1 : 0;
+      rotates[i] = Random() % 10 < 3 ? 1 : 0;
       if (!rotates[i]) continue;
       float *q = quaternions.data() + 4 * i, length = 0.0f;
       for (int k = 0; k < 4; ++k) {
-        q[k] = static_cast<float>(random() % 2001) * 1e-3f - 1.0f;
+        q[k] = static_cast<float>(Random() % 2001) * 1e-3f - 1.0f;
         length += q[k] * q[k];
       }
       for (int k = 0; k < 4; ++k) q[k] /= std::sqrt(length);
     }
-    for (auto& frame : indices) {
-      frame.resize(objects * 8);
-      const uint32_t base = random();
-      for (size_t i = 0; i < objects; ++i) {
-        const uint32_t corner = static_cast<uint32_t>((base + i * 3 + random() % 16) %
-                                                      (probes > 146 ? probes - 146 : 1));
-        for (uint32_t t = 0; t < 8; ++t) {
-          frame[8 * i + t] = corner + (t & 1) + 16 * (t >> 1 & 1) + 128 * (t >> 2);
-        }
+    for (auto& frame : indices) MakeTaps(&frame);
+  }
+
+ private:
+  uint32_t Random() { return (state_ = state_ * 1664525u + 1013904223u) >> 8; }
+
+  // A thousand and one different records, over and over.
+  void MakeRecords() {
+    constexpr size_t kDifferent = 1001;
+    gaunt_format_properties properties = {sizeof(properties), 0, 0, 0};
+    gaunt_format_info(from.format, &properties);
+    const size_t size = properties.planes / 3;
+    std::vector<float> probes(kDifferent * properties.planes);
+    for (size_t k = 0; k < probes.size(); ++k) {
+      const float number = static_cast<float>(Random() % 1000) * 1e-3f;
+      probes[k] = k % size == 0 ? 0.5f + number : number - 0.5f;
+    }
+    gaunt_view view;
+    gaunt_view_interleaved(probes.data(), properties.planes, &view);
+    packed.resize(kDifferent * properties.bytes);
+    gaunt_probe_encode(from.format, kDifferent, &view, packed.data(), properties.bytes, nullptr);
+    const size_t all = from.probes * properties.bytes;
+    packed.resize(std::max(all, packed.size()));
+    for (size_t k = kDifferent * properties.bytes; k < all; ++k) {
+      packed[k] = packed[k - kDifferent * properties.bytes];
+    }
+  }
+
+  void MakeTaps(std::vector<uint32_t>* frame) {
+    const bool large = from.probes >= 1000000;
+    const uint32_t row = large ? 100 : 16, layer = large ? 10000 : 128;
+    const size_t corners = from.probes - (layer + row + 1);
+    const size_t base = Random();
+    for (size_t i = 0; i < from.objects; ++i) {
+      const size_t near = base + i * 3 + Random() % 16,
+                   anywhere = Random() * size_t{256} + Random();
+      const auto corner = static_cast<uint32_t>((from.coherent ? near : anywhere) % corners);
+      for (uint32_t t = 0; t < 8; ++t) {
+        frame->push_back(corner + (t & 1) + row * (t >> 1 & 1) + layer * (t >> 2));
       }
     }
   }
+
+  uint32_t state_ = 1;
 };
 
-void RunJob(benchmark::State& state, const std::shared_ptr<FrameData>& data,
-            const std::string& target) {
+// Made where it is needed, and kept until another is.
+const FrameData& DataOf(const FrameCase& from) {
+  static std::unique_ptr<FrameData> last;
+  if (last == nullptr || !(last->from == from)) {
+    last.reset();
+    last = std::make_unique<FrameData>(from);
+  }
+  return *last;
+}
+
+void RunJob(benchmark::State& state, const FrameCase& from, const std::string& target,
+            bool by_steps) {
+  const FrameData& data = DataOf(from);
   gaunt_target_select(target.c_str());
-  tool::LightJob job(data->objects);
+  tool::LightJob job(from.objects);
   size_t frame = 0;
   for (auto _ : state) {
-    job.Run({data->objects, data->packed.data(), data->probes,
-             data->indices[frame++ % kFrames].data(), data->weights.data(), 0.25f,
-             data->quaternions.data()});
+    const tool::FrameInput input = {from.objects,
+                                    from.format,
+                                    data.packed.data(),
+                                    from.probes,
+                                    data.indices[frame++ % kFrames].data(),
+                                    data.weights.data(),
+                                    0.25f,
+                                    data.quaternions.data()};
+    by_steps ? job.RunSteps(input) : job.Run(input);
   }
-  state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * data->objects));
+  state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * from.objects));
   gaunt_target_select(nullptr);
 }
 
-void RunBaseline(benchmark::State& state, const std::shared_ptr<FrameData>& data,
+void RunBaseline(benchmark::State& state, const FrameCase& from,
                  void (*run)(const FrameBaselineJob&)) {
-  std::vector<float> history(data->objects * 27), constants(data->objects * 28),
-      light(data->objects * 9);
+  const FrameData& data = DataOf(from);
+  std::vector<float> history(from.objects * 27), constants(from.objects * 28),
+      light(from.objects * 9);
   size_t frame = 0;
   for (auto _ : state) {
-    run({data->objects, data->packed.data(), data->indices[frame++ % kFrames].data(),
-         data->weights.data(), history.data(), 0.25f, data->quaternions.data(),
-         data->rotates.data(), constants.data(), light.data(), nullptr});
+    run({from.objects, data.packed.data(), data.indices[frame++ % kFrames].data(),
+         data.weights.data(), history.data(), 0.25f, data.quaternions.data(), data.rotates.data(),
+         constants.data(), light.data(), nullptr});
   }
-  state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * data->objects));
+  state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * from.objects));
+}
+
+void RegisterCase(const FrameCase& from, const std::string& name) {
+  for (uint32_t t = 0; gaunt_target_supported(t) != nullptr; ++t) {
+    const std::string target = gaunt_target_supported(t);
+    for (const bool by_steps : {false, true}) {
+      benchmark::RegisterBenchmark(
+          (name + target + (by_steps ? "_by_steps" : "")).c_str(),
+          [=](benchmark::State& state) { RunJob(state, from, target, by_steps); });
+    }
+  }
+}
+
+void RegisterBaselines(const FrameCase& from, const std::string& name) {
+  const auto add = [&](const char* baseline, void (*run)(const FrameBaselineJob&)) {
+    benchmark::RegisterBenchmark((name + baseline).c_str(),
+                                 [=](benchmark::State& state) { RunBaseline(state, from, run); });
+  };
+  add("A", baseline::FrameA);
+  add("A2", baseline::FrameA2);
+#ifdef GAUNT_HAVE_CLANG_NATIVE
+  add("A_clang_native", baseline_clang_native::FrameA);
+  add("A2_clang_native", baseline_clang_native::FrameA2);
+#endif
 }
 
 }  // namespace
 
 GAUNT_BENCHMARKS(frame) {
-  for (const auto& [objects, probes] : {std::pair<size_t, size_t>{200, 2048},
-                                        {2000, 2048},
-                                        {2000, 32768},
-                                        {50000, 2048},
-                                        {50000, 32768}}) {
-    const auto data = std::make_shared<FrameData>(objects, probes);
-    const std::string name =
-        "frame/" + std::to_string(objects) + "_objects_" + std::to_string(probes) + "_probes/";
-    const auto add_baseline = [&](const char* baseline, void (*run)(const FrameBaselineJob&)) {
-      benchmark::RegisterBenchmark((name + baseline).c_str(),
-                                   [=](benchmark::State& state) { RunBaseline(state, data, run); });
-    };
-    for (uint32_t t = 0; gaunt_target_supported(t) != nullptr; ++t) {
-      const std::string target = gaunt_target_supported(t);
-      benchmark::RegisterBenchmark((name + target).c_str(),
-                                   [=](benchmark::State& state) { RunJob(state, data, target); });
+  constexpr uint32_t kMain = GAUNT_FORMAT_SH3_28;  // that the scalar loops read
+  for (const FrameCase& from : {FrameCase{200, 2048, true, kMain},
+                                {2000, 2048, true, kMain},
+                                {2000, 32768, true, kMain},
+                                {2000, 1000000, true, kMain},
+                                {2000, 1000000, false, kMain},
+                                {50000, 2048, true, kMain},
+                                {50000, 32768, true, kMain},
+                                {50000, 1000000, true, kMain},
+                                {50000, 1000000, false, kMain}}) {
+    const std::string name = "frame/" + std::to_string(from.objects) + "_objects_" +
+                             std::to_string(from.probes) + "_probes" +
+                             (from.coherent ? "" : "_anywhere");
+    RegisterCase(from, name + "/");
+    RegisterBaselines(from, name + "/");
+    if (from.objects != 2000) continue;
+    for (const FormatName& format : kFormatNames) {
+      if (format.format == kMain) continue;
+      FrameCase other = from;
+      other.format = format.format;
+      RegisterCase(other, name + "_" + format.name + "/");
     }
-    add_baseline("A", baseline::FrameA);
-    add_baseline("A2", baseline::FrameA2);
-#ifdef GAUNT_HAVE_CLANG_NATIVE
-    add_baseline("A_clang_native", baseline_clang_native::FrameA);
-    add_baseline("A2_clang_native", baseline_clang_native::FrameA2);
-#endif
   }
 }
 

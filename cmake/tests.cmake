@@ -51,6 +51,7 @@ target_link_libraries(frame_example PRIVATE gaunt)
 add_test(NAME Examples.Frame COMMAND frame_example)
 add_test(NAME Examples.Readme COMMAND ${CMAKE_COMMAND} -DREADME=${PROJECT_SOURCE_DIR}/README.md
   -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/hello.c
+  -DFRAME=${PROJECT_SOURCE_DIR}/examples/frame.cpp
   -DTABLE=${PROJECT_SOURCE_DIR}/bench/results/table.sh
   -DRESULTS=${PROJECT_SOURCE_DIR}/bench/results/epyc-zen4/gcc12.json
   -P ${PROJECT_SOURCE_DIR}/tests/readme_test.cmake)

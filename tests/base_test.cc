@@ -193,6 +193,27 @@ void* CallOnSmallStack(void*) {
     EXPECT_EQ(gaunt_project_equirect(order, kChannels, &image, nullptr, &projected), GAUNT_OK);
     EXPECT_EQ(gaunt_project_cubemap(order, kChannels, faces, nullptr, &projected), GAUNT_OK);
   }
+  static uint32_t taps[kCount * 8];
+  static float tap_weights[kCount * 8];
+  static unsigned char records[108];
+  gaunt_format_properties shape = {sizeof(shape), 0, 0, 0};
+  for (uint32_t format = 1; gaunt_format_info(format, &shape) == GAUNT_OK; ++format) {
+    const gaunt_view history = view(rotated, 27), turns = view(rotations, 4);
+    const gaunt_view lit = view(out[0], 27), constants = view(out[1], 28);
+    const gaunt_view light[3] = {view(f, 3), view(f + 3 * kCount, 3), view(f + 6 * kCount, 3)};
+    gaunt_frame_job job = {};
+    job.struct_size = sizeof(job);
+    job.taps = 8;
+    job.indices = taps;
+    job.weights = tap_weights;
+    job.packed = records;
+    job.packed_count = 1;
+    job.stride = shape.bytes;
+    job.history = &history, job.alpha = &one, job.quaternions = &turns, job.radiance = &lit;
+    job.directions = &light[0], job.colours = &light[1], job.ambient = &light[2];
+    job.constants = &constants;
+    EXPECT_EQ(gaunt_frame_light(format, kCount, &job), GAUNT_OK) << format;
+  }
   gaunt_convention from = {sizeof(from), 0, 0, 0, 0, {}, 0}, to = from;
   EXPECT_EQ(gaunt_convention_preset(GAUNT_ENGINE_GAUNT, &from), GAUNT_OK);
   EXPECT_EQ(gaunt_convention_preset(GAUNT_ENGINE_THREEJS, &to), GAUNT_OK);

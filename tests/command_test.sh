@@ -40,6 +40,7 @@ rejects grid frame --grid 0 8 16
 rejects grid frame --grid 16 8
 rejects "too large" frame --grid 1024 1024 1024
 rejects rays frame --rays 1
+rejects "no format" frame --format sh9
 rejects scene frame --scene moon
 rejects target frame --target MMX
 rejects missing.exr frame --env missing.exr
@@ -243,6 +244,15 @@ for scene in courtyard room street; do
       fail "scene $scene: no $picture.png"
   done
 done
+
+# Formats of other orders; the scalar loops know one.
+for format in sh2_13 sh5_55 rgb9e5; do
+  "$gaunt" frame "${small[@]}" --format $format --out formats >out.txt 2>err.txt ||
+    fail "format $format: $(cat err.txt)"
+  grep -q " each as $format " out.txt || fail "format $format: no summary"
+  grep -q '^scalar loop' out.txt && fail "format $format: times of other probes"
+done
+grep -q '^by steps: [0-9.]* ns per object: gather [0-9.]* lerp ' out.txt || fail "no steps"
 
 # Pictures depend neither on the run nor on the number of cores.
 "$gaunt" frame "${small[@]}" --json --out again >json.txt || fail "json"

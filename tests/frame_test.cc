@@ -317,13 +317,11 @@ TEST_P(Frame, IsAccurate) {
     }
     const size_t size = PropertiesOf(format).planes / 3;
     std::vector<double> volume(scene.probes * kPlanes);
-    double largest = 0.0;
     for (size_t k = 0; k < scene.probes; ++k) {
       const auto record = probe::ReadReference(format, scene.packed.data() + k * scene.stride);
       for (size_t c = 0; c < 3; ++c) {
         for (size_t i = 0; i < std::min<size_t>(size, 9); ++i) {
           volume[kPlanes * k + 9 * c + i] = record[c * size + i].value;
-          largest = std::max(largest, std::abs(record[c * size + i].value));
         }
       }
     }
@@ -342,7 +340,13 @@ TEST_P(Frame, IsAccurate) {
       }
     }
     for (size_t i = 0; i < kCount; ++i) {
-      double q[4], constants[kConstants], light[9];
+      double q[4], constants[kConstants], light[9], largest = 0.0;
+      for (uint32_t t = 0; t < kTaps; ++t) {
+        const uint32_t index = scene.indices[kTaps * i + t];
+        for (size_t p = 0; index < scene.probes && p < kPlanes; ++p) {
+          largest = std::max(largest, std::abs(volume[kPlanes * index + p]));
+        }
+      }
       for (size_t p = 0; p < 4; ++p) q[p] = views.quaternions.Get(i, p);
       frame::LightReference(&history[i * kPlanes], q, i % 3 != 1, constants, light, light + 3,
                             light + 6);

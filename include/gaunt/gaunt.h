@@ -1413,6 +1413,10 @@ GAUNT_API gaunt_status gaunt_probe_transcode(uint32_t format_in, uint32_t format
  *   out(i) = sum over t of weights[i taps + t] probe(indices[i taps + t])
  * Eight taps are the corners of a grid cell, four those of a tetrahedron: gaunt_grid_taps(),
  * gaunt_brick_taps() and gaunt_tetrahedra_taps() find them.
+
+ * Eight taps are the corners of a grid cell, four those of a tetrahedron. Records are fetched ahead of
+ * their use where packed_count * stride is 4 MiB or more, as far as a call goes: calls of 256 items and
+ * more are better there than small ones.
  *
  * format        GAUNT_FORMAT_*
  * n_out         order of the output, 1 .. the format's: higher bands are dropped
@@ -1644,8 +1648,6 @@ typedef struct gaunt_frame_job {
  * An object whose alpha is 1 takes nothing over from its history, but a NaN or an infinity. A
  * quaternion of zeros does not rotate. Direction, colour and ambient light are fastest as fields of
  * one record, in this order: their planes as those of one view of 9.
- *
- * Records are fetched ahead of their use where packed_count * stride is 4 MiB or more.
  *
  * Accuracy:  that of the functions above. With weights that are not negative and add up to 1,
  *            alpha in [0, 1] and a history of such frames: |error| <= 4e-6 of radiance and constants,

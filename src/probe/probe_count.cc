@@ -15,6 +15,10 @@ struct CountRecordLanes : CountLanes {
   Counted Unsigned(Counted) const {
     return {};
   }
+  template <int, int>
+  Counted Signed(Counted) const {
+    return {};
+  }
   template <int>
   Counted SignedByte(Counted) const {
     return {};

@@ -62,6 +62,7 @@ struct Coding<Code::kHalf> {
 template <class F>
 struct Ratios {
   static constexpr size_t kSums = kPlanes<F>;
+  static constexpr double kRead = Coding<F::CodeOf(0, 1)>::kRead;
 
   // To sums or, if they are new, in place of them, records of each lane times their weights: of the
   // first `size` coefficients at least. The bounds come in only in Finish(), once for all.

@@ -30,7 +30,7 @@ struct RecordLanes : Lanes {
     return hn::BitCast(LaneTag(), bits);
   }
 
-  // The integer of some bits of a word, without a sign.
+  // The integer of some bits of a word, without a sign and in two's complement.
   template <int kShift, int kWidth>
   GAUNT_LANES V Unsigned(V word) const {
     auto bits = Bits(word);
@@ -38,7 +38,13 @@ struct RecordLanes : Lanes {
     if constexpr (kShift + kWidth < 32) bits = hn::And(bits, hn::Set(U(), (1u << kWidth) - 1));
     return hn::ConvertTo(LaneTag(), hn::BitCast(I(), bits));
   }
-  // Times 2^24, a byte in two's complement: it need not go all the way down.
+  template <int kShift, int kWidth>
+  GAUNT_LANES V Signed(V word) const {
+    auto bits = hn::BitCast(I(), word);
+    if constexpr (kShift + kWidth < 32) bits = hn::ShiftLeft<32 - kShift - kWidth>(bits);
+    return hn::ConvertTo(LaneTag(), hn::ShiftRight<32 - kWidth>(bits));
+  }
+  // Times 2^24, a byte in two's complement: it need not be shifted down.
   template <int kShift>
   GAUNT_LANES V SignedByte(V word) const {
     auto bits = Bits(word);
@@ -168,6 +174,11 @@ struct RecordIn {
   GAUNT_LANES auto Unsigned(const K& k) const {
     using F = Field<Words, kBit, kWidth>;
     return k.template Unsigned<F::kShift, kWidth>(words(F::kWord));
+  }
+  template <int kBit, int kWidth, class K>
+  GAUNT_LANES auto Signed(const K& k) const {
+    using F = Field<Words, kBit, kWidth>;
+    return k.template Signed<F::kShift, kWidth>(words(F::kWord));
   }
   // Times 2^24, a byte with a sign, and one without a sign less 128.
   template <int kBit, class K>

@@ -54,6 +54,7 @@ struct SharedRatios {
   // Those of the coefficients, and behind them those of orange and green of each but the mean.
   static constexpr size_t kSums =
       kPlanes<F> + (F::kHasColour ? 2 * (F::kOrder * F::kOrder - 1) : 0);
+  static constexpr double kRead = 1.0;
 
   template <bool kNew, class K, class Taps, class Sums>
   static GAUNT_LANES void AddTaps(const K& k, const Taps& taps, size_t size, Sums& sums) {

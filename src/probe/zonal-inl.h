@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::probe::HWY_NAMESPACE {
 
-// `BandOne` has the means and band 1.
+// `BandOne` has the means and band 1, whose numbers it reads kRead times too large.
 template <class F, class BandOne>
 struct Zonal {
   static constexpr size_t kSums = kPlanes<F>;
@@ -62,7 +62,7 @@ struct Zonal {
     for (size_t c = 0; c < kChannels; ++c) {
       out(c * size, sums(c * kSize));
       for (size_t i = 1; i < size; ++i) {
-        const double range = i < kBand ? Bound(1) : kAxialRange;
+        const double range = i < kBand ? Bound(1) / BandOne::kRead : kAxialRange;
         out(c * size + i, Mul(k(range / kLargest), sums(c * kSize + i)));
       }
     }
