@@ -118,6 +118,21 @@ class ReferenceRun {
   std::vector<double> history_;
 };
 
+// The median frame of each step, per object: clocks run on while others have the core.
+StepTimes TimeSteps(const FrameInput& input, LightJob* job) {
+  std::vector<double> samples[kSteps];
+  for (int frame = 0; frame < kStepFrames; ++frame) {
+    StepTimes times = {};
+    job->RunSteps(input, &times);
+    for (size_t step = 0; step < kSteps; ++step) samples[step].push_back(times[step]);
+  }
+  StepTimes medians;
+  for (size_t step = 0; step < kSteps; ++step) {
+    medians[step] = TimingOf(samples[step], input.count).median;
+  }
+  return medians;
+}
+
 }  // namespace
 
 ContestResult RunContest(const ProbeVolume& volume, uint32_t format,
@@ -160,8 +175,7 @@ ContestResult RunContest(const ProbeVolume& volume, uint32_t format,
   result.constants = job.constants();
   result.lights = job.lights();
   result.errors = ErrorsOf(result.constants, result.reference_constants);
-  for (int frame = 0; frame < kStepFrames; ++frame) steps.RunSteps(input, &result.steps);
-  for (double& step : result.steps) step /= static_cast<double>(count) * kStepFrames;
+  result.steps = TimeSteps(input, &steps);
   result.gaunt = TimingOf(samples[0], count);
   result.by_steps = TimingOf(samples[1], count);
   if (runs == 4) {
