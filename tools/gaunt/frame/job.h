@@ -34,7 +34,7 @@ using StepTimes = std::array<double, kSteps>;  // nanoseconds, of all objects
 
 class LightJob {
  public:
-  static constexpr size_t kTile = 64;       // objects
+  static constexpr size_t kTile = 256;       // objects
   static constexpr size_t kConstants = 28;  // floats per object: 7 float4
   static constexpr size_t kLight = 9;       // direction, colour, ambient
 
