@@ -1647,7 +1647,7 @@ typedef struct gaunt_frame_job {
  * job     what is read and written
  *
  * An object whose alpha is 1 takes nothing over from its history, but a NaN or an infinity. A
- * quaternion of zeros does not rotate. Direction, colour and ambient light are fastest as fields of
+ * quaternion of zeros is the identity. Direction, colour and ambient light are fastest as fields of
  * one record, in this order: their planes as those of one view of 9.
  *
  * Accuracy:  that of the functions above. With weights that are not negative and add up to 1,
