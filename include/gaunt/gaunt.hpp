@@ -460,6 +460,8 @@ inline void TetrahedraTaps(const void* mesh, size_t mesh_size, size_t count,
   detail::Check("gaunt_tetrahedra_taps",
                 gaunt_tetrahedra_taps(mesh, mesh_size, count, positions.get(), tetrahedra, indices,
                                       weights));
+}
+
 // With nothing in it yet but its size. Views of a job are pointers: InView::get() of views that live
 // as long as the job.
 inline gaunt_frame_job FrameJob() {
