@@ -244,7 +244,11 @@ class GroupTaps {
     hn::Store(hn::Set(LaneTag(), 1.0f), LaneTag(), weights_);
     const uint8_t* const data = source.packed.data + item * source.packed.stride;
     const size_t stride = source.packed.stride;
-    LoadWords<kBytes>([=](size_t lane) { return data + lane * stride; }, words_);
+    if (kBytes == sizeof(float) && stride == kBytes) {  // words already
+      hn::Store(hn::LoadU(LaneTag(), reinterpret_cast<const float*>(data)), LaneTag(), words_);
+    } else {
+      LoadWords<kBytes>([=](size_t lane) { return data + lane * stride; }, words_);
+    }
     return true;
   }
 

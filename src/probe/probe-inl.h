@@ -20,7 +20,7 @@ struct Encode {
   GAUNT_LANES void operator()(const K& k, const In& in, const Out& words,
                               const Report&... report) const {
     RecordOut<F::kBytes, K> record(k);
-    const auto clamped = FormatKernels<F>::Encode(k, in, record);
+    [[maybe_unused]] const auto clamped = FormatKernels<F>::Encode(k, in, record);
     if constexpr (kRefines) RefineRecord<F>(k, in, record);
     record.Write(words);
     (WriteReport<F>(k, in, record.Read(), clamped, report), ...);

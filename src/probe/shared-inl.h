@@ -119,36 +119,60 @@ struct SharedRatios {
     return Mul(number, Abs(number));
   }
 
+  // A record's share of a coefficient: of red, green and blue, and of the colours o and h.
+  template <size_t i, class K, class Record, class M, class V>
+  static GAUNT_LANES void AddRecord(const K& k, const Record& record, const M& means, size_t at,
+                                    V& r, V& g, V& b, V& o, V& h) {
+    constexpr BitField kOrange = F::Orange(i), kGreen = F::Green(i);
+    const V ratio = Number<0, i>(k, record);
+    r = MulAdd(means(at), ratio, r);
+    g = MulAdd(means(at + 1), ratio, g);
+    b = MulAdd(means(at + 2), ratio, b);
+    if constexpr (kOrange.width > 0) {
+      o = MulAdd(means(at + 3), Square<kOrange.bit, kOrange.width>(k, record), o);
+    }
+    if constexpr (kGreen.width > 0) {
+      h = MulAdd(means(at + 3), Square<kGreen.bit, kGreen.width>(k, record), h);
+    }
+  }
+  template <size_t i, class Sums, class V>
+  static GAUNT_LANES void LoadSums(const Sums& sums, V& r, V& g, V& b, V& o, V& h) {
+    r = sums(i), g = sums(kSize + i), b = sums(2 * kSize + i);
+    if constexpr (F::Orange(i).width > 0) o = sums(OrangeSum(i));
+    if constexpr (F::Green(i).width > 0) h = sums(OrangeSum(i) + 1);
+  }
+  template <size_t i, class Sums, class V>
+  static GAUNT_LANES void StoreSums(Sums& sums, V r, V g, V b, V o, V h) {
+    sums(i, r);
+    sums(kSize + i, g);
+    sums(2 * kSize + i, b);
+    if constexpr (F::Orange(i).width > 0) sums(OrangeSum(i), o);
+    if constexpr (F::Green(i).width > 0) sums(OrangeSum(i) + 1, h);
+  }
+
+  // Two coefficients at a time, so that one's sums are not waited for.
   template <bool kNew, size_t i, class K, class Taps, class M, class Sums>
   static GAUNT_LANES void AddFrom(const K& k, const Taps& taps, const M& means, size_t size,
                                   Sums& sums) {
     if constexpr (i < kSize && F::Has(i)) {
       using V = typename K::V;
-      constexpr BitField kOrange = F::Orange(i), kGreen = F::Green(i);
+      constexpr bool kTwo = i + 1 < kSize && F::Has(i + 1);
+      constexpr size_t j = kTwo ? i + 1 : i;
       if (i >= size) return;
-      V r = k(0.0), g = r, b = r, o = r, h = r;
-      if constexpr (!kNew) r = sums(i), g = sums(kSize + i), b = sums(2 * kSize + i);
-      if constexpr (!kNew && kOrange.width > 0) o = sums(OrangeSum(i));
-      if constexpr (!kNew && kGreen.width > 0) h = sums(OrangeSum(i) + 1);
+      V r = k(0.0), g = r, b = r, o = r, h = r, other_r = r, other_g = r, other_b = r, other_o = r,
+        other_h = r;
+      if constexpr (!kNew) LoadSums<i>(sums, r, g, b, o, h);
+      if constexpr (!kNew && kTwo) LoadSums<j>(sums, other_r, other_g, other_b, other_o, other_h);
       for (size_t t = 0; t < taps.count; ++t) {
         const auto record = taps.Record(t);
-        const V ratio = Number<0, i>(k, record);
-        r = MulAdd(means(kMeans * t), ratio, r);
-        g = MulAdd(means(kMeans * t + 1), ratio, g);
-        b = MulAdd(means(kMeans * t + 2), ratio, b);
-        if constexpr (kOrange.width > 0) {
-          o = MulAdd(means(kMeans * t + 3), Square<kOrange.bit, kOrange.width>(k, record), o);
-        }
-        if constexpr (kGreen.width > 0) {
-          h = MulAdd(means(kMeans * t + 3), Square<kGreen.bit, kGreen.width>(k, record), h);
+        AddRecord<i>(k, record, means, kMeans * t, r, g, b, o, h);
+        if constexpr (kTwo) {
+          AddRecord<j>(k, record, means, kMeans * t, other_r, other_g, other_b, other_o, other_h);
         }
       }
-      sums(i, r);
-      sums(kSize + i, g);
-      sums(2 * kSize + i, b);
-      if constexpr (kOrange.width > 0) sums(OrangeSum(i), o);
-      if constexpr (kGreen.width > 0) sums(OrangeSum(i) + 1, h);
-      AddFrom<kNew, i + 1>(k, taps, means, size, sums);
+      StoreSums<i>(sums, r, g, b, o, h);
+      if constexpr (kTwo) StoreSums<j>(sums, other_r, other_g, other_b, other_o, other_h);
+      AddFrom<kNew, j + 1>(k, taps, means, size, sums);
     }
   }
 
