@@ -193,7 +193,7 @@ void AddOrder(CLI::App* command, const Options& o, const char* what) {
 void AddFormat(CLI::App* command, const Options& o) {
   command->add_option("--format", o->format, "Format to write, " + FormatsHelp())->required();
   command->add_flag(
-      "--refined", o->refined,
+      "--refine", o->refined,
       "Search for the records of least error, which takes some hundred times as long");
 }
 
