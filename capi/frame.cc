@@ -12,8 +12,6 @@ using gaunt::capi::OutputOf;
 
 namespace {
 
-constexpr uint32_t kMaxTaps = 65536;
-
 // A view of the job as the kernels' drivers take it, or null.
 template <class View>
 class Taken {
@@ -38,7 +36,7 @@ gaunt_status gaunt_frame_light(uint32_t format, size_t count, const gaunt_frame_
   GAUNT_REQUIRE(job->struct_size == sizeof(*job), GAUNT_ERROR_STRUCT);
   GAUNT_REQUIRE(InRange(format, 1, gaunt::probe::kNumFormats), GAUNT_ERROR_FORMAT);
   const auto shape = gaunt::probe::ShapeOf(gaunt::probe::Formats(), format - 1);
-  GAUNT_REQUIRE(InRange(job->taps, 1, kMaxTaps), GAUNT_ERROR_RANGE);
+  GAUNT_REQUIRE(InRange(job->taps, 1, gaunt::probe::kMaxTaps), GAUNT_ERROR_RANGE);
   GAUNT_REQUIRE(job->stride >= shape.bytes, GAUNT_ERROR_RANGE);
   GAUNT_REQUIRE(count <= SIZE_MAX / job->taps, GAUNT_ERROR_RANGE);
   const gaunt_view* const alpha = job->history != nullptr ? job->alpha : nullptr;

@@ -13,8 +13,6 @@ using gaunt::probe::FormatTable;
 
 namespace {
 
-constexpr uint32_t kMaxTaps = 65536;
-
 bool IsFormat(uint32_t format) { return InRange(format, 1, gaunt::probe::kNumFormats); }
 FormatShape ShapeOf(uint32_t format) {
   return gaunt::probe::ShapeOf(gaunt::probe::Formats(), format - 1);
@@ -108,7 +106,7 @@ gaunt_status gaunt_probe_gather(uint32_t format, uint32_t n_out, size_t count, u
   GAUNT_REQUIRE(IsFormat(format), GAUNT_ERROR_FORMAT);
   const FormatShape shape = ShapeOf(format);
   GAUNT_REQUIRE(InRange(n_out, 1, static_cast<uint32_t>(shape.order)), GAUNT_ERROR_ORDER);
-  GAUNT_REQUIRE(InRange(taps, 1, kMaxTaps), GAUNT_ERROR_RANGE);
+  GAUNT_REQUIRE(InRange(taps, 1, gaunt::probe::kMaxTaps), GAUNT_ERROR_RANGE);
   GAUNT_REQUIRE(stride >= shape.bytes, GAUNT_ERROR_RANGE);
   GAUNT_REQUIRE(count <= SIZE_MAX / taps, GAUNT_ERROR_RANGE);
   const size_t all_taps = count * taps;

@@ -1292,7 +1292,11 @@ enum {
    * that is 0. gaunt_zh3_refit() first makes encoding more accurate.
    */
   GAUNT_FORMAT_ZH3_16 = 15,
-  /** Order 3 of ZH3, of ratios that the channels share: RGB9E5 of L_0; snorm8 of i = 1..3; snorm8 of k2. */
+  /**
+   * Order 3 of ZH3, of ratios that the channels share: RGB9E5 of L_0; snorm8 of i = 1..3, of which each
+   * channel has L_i = L_0 sqrt(3) v_i; snorm8 of k2 / (sqrt(5) L_0), the same for each channel. The axis
+   * is that of band 1.
+   */
   GAUNT_FORMAT_ZH3_LUMA_8 = 16,
   /**
    * Order 2, the directional lightmaps of Godot, which keep E/pi as l0 (1 + 8 (t - 1/2) . n): RGBA of
@@ -1340,12 +1344,20 @@ enum {
  * GAUNT_FORMAT_SH3_F16 and _F32; means end at what the container holds (RGB9E5 65408, half 65504,
  * R11G11B10F 65024 of R and G and 64512 of B), of L_0 or, in Unity's and Godot's formats, of
  * L_0 / sqrt(4 pi). A channel whose mean is 0 becomes black, except for the colours of
- * GAUNT_FORMAT_SH3_CHROMA_*. Where channels share ratios, coefficients are clamped to the bound of
- * their channel, and those ratios taken that come closest to all of them, after orange; where there is
- * green, too, (R + 2 G + B) / m. Numbers that follow make up for the rounding of those before.
+ * GAUNT_FORMAT_SH3_CHROMA_*.
+ *
+ * Where channels share ratios, each L_ci is clamped to bound_i L_c0 first. With x_c = L_ci / bound_i,
+ * v_i is, of means R, G and B as they are decoded,
+ *   without colours       (R x_R + G x_G + B x_B) / (R^2 + G^2 + B^2), the closest;
+ *   with orange alone     ((R + B)(x_R + x_B) + 2 G x_G) / ((R + B)^2 + 2 G^2), the closest but for
+ *                         what orange takes;
+ *   with orange and green (x_R + 2 x_G + x_B) / (4 m), and both take the rest.
+ * Then, with the rounded v_i, o = (d_R - d_B) / (2 m) and g = (2 d_G - d_R - d_B) / (4 m) of what is
+ * left over, d_c = x_c - L_c0 v_i. The axis of ZH3 is that of the decoded band 1.
  *
  * Accuracy:  means within half a unit of the last place of their container, RGB9E5 of that of the
- *            largest channel; ratios within 0.5001 of a step.
+ *            largest channel; ratios within 0.5001 of a step. The report: 1e-6 of the largest
+ *            coefficient.
  * Overlap:   none between in, report and packed.
  * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -1353,10 +1365,11 @@ GAUNT_API gaunt_status gaunt_probe_encode(uint32_t format, size_t count, const g
                                           void* packed, size_t stride, const gaunt_view* report);
 
 /**
- * Packs radiance probes as gaunt_probe_encode() does, then changes the numbers of each record, one by
- * one and by up to 8, as long as that lowers the RMS error of the report. For bakers: it takes some
- * hundred times as long. Formats of floats are as good as they can be; those of a ratio for each
- * coefficient nearly, while ZH3 turns its axis and shared ratios and colours find the best together.
+ * Packs radiance probes as gaunt_probe_encode() does, then goes over the numbers of each record ten
+ * times, and changes each by 8, 4, 2 or 1 where that lowers the RMS error of the report. For bakers:
+ * it takes 20 times as long (GAUNT_FORMAT_ZH3_LUMA_8) to 300 times (GAUNT_FORMAT_SH5_55). Formats of
+ * floats are as good as they can be; those of a ratio for each coefficient nearly, while ZH3 turns its
+ * axis and shared ratios and colours find the best together.
  *
  * Arguments, behaviour for what is no light, overlap and statuses are those of gaunt_probe_encode().
  * Accuracy:  the RMS error is never above that of gaunt_probe_encode(), but for rounding. Bytes may
@@ -1376,7 +1389,9 @@ GAUNT_API gaunt_status gaunt_probe_encode_refined(uint32_t format, size_t count,
  * out     planes of the format
  *
  * Accuracy:  |error| <= 2.4e-7 of the decoded mean times the range of the ratio, in
- *            GAUNT_FORMAT_SH3_CHROMA_* of the largest mean; floats are exact.
+ *            GAUNT_FORMAT_SH3_CHROMA_* of the largest mean; in band 2 of GAUNT_FORMAT_ZH3_16 1e-6 of
+ *            that over s, with s as of gaunt_zh3_solve() for the luminance axis. Floats are exact, but
+ *            -0 becomes 0, and a signalling NaN quiet.
  * Overlap:   none between packed and out.
  * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -1412,11 +1427,9 @@ GAUNT_API gaunt_status gaunt_probe_transcode(uint32_t format_in, uint32_t format
  * Decodes and blends packed probes:
  *   out(i) = sum over t of weights[i taps + t] probe(indices[i taps + t])
  * Eight taps are the corners of a grid cell, four those of a tetrahedron: gaunt_grid_taps(),
- * gaunt_brick_taps() and gaunt_tetrahedra_taps() find them.
-
- * Eight taps are the corners of a grid cell, four those of a tetrahedron. Records are fetched ahead of
- * their use where packed_count * stride is 4 MiB or more, as far as a call goes: calls of 256 items and
- * more are better there than small ones.
+ * gaunt_brick_taps() and gaunt_tetrahedra_taps() find them. Records are fetched ahead of their use
+ * where packed_count * stride is 4 MiB or more, as far as a call goes: calls of 256 items and more are
+ * better there than small ones.
  *
  * format        GAUNT_FORMAT_*
  * n_out         order of the output, 1 .. the format's: higher bands are dropped
@@ -1428,7 +1441,8 @@ GAUNT_API gaunt_status gaunt_probe_transcode(uint32_t format_in, uint32_t format
  * packed        packed_count records, `stride` bytes apart; may be NULL if packed_count is 0
  * out           channels of the format * n_out^2 planes: radiance
  *
- * Accuracy:  |error| <= 1e-6 of the sum of |weight| times the tap's largest coefficient.
+ * Accuracy:  |error| <= 1e-6 of the sum of |weight| times the tap's largest coefficient; in band 2 of
+ *            GAUNT_FORMAT_ZH3_16 over s of the tap, as for gaunt_probe_decode().
  * Overlap:   none between out and the inputs.
  * Returns GAUNT_OK; GAUNT_ERROR_FORMAT, _ORDER, _RANGE, _NULL, _LAYOUT, _OVERLAP.
  */
@@ -1652,7 +1666,8 @@ typedef struct gaunt_frame_job {
  *
  * Accuracy:  that of the functions above. With weights that are not negative and add up to 1,
  *            alpha in [0, 1] and a history of such frames: |error| <= 4e-6 of radiance and constants,
- *            relative to the largest coefficient of the object's probes.
+ *            relative to the largest coefficient of the object's probes, with the exception of
+ *            gaunt_probe_decode().
  * Overlap:   none between outputs, the history and inputs.
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _STRUCT, _FORMAT, _RANGE, _LAYOUT, _OVERLAP.
  */

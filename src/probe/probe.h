@@ -18,6 +18,8 @@ struct PackedProbes {
   size_t stride;
 };
 
+inline constexpr uint32_t kMaxTaps = 65536;
+
 // Probes to blend for each item: taps of item i begin at [i * count].
 struct Taps {
   size_t count;

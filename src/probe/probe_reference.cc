@@ -254,6 +254,23 @@ std::vector<double> ZonalBandOf(const std::vector<std::vector<double>>& band_one
   return ZonalBand(sum(1), sum(2), sum(3));
 }
 
+// |sum of the channels' luminances of band 1| / sum of their norms.
+double AxisCertainty(const std::vector<std::vector<double>>& band_one) {
+  const double weights[3] = {0.2126, 0.7152, 0.0722};
+  double sum[3] = {0.0, 0.0, 0.0}, norms = 0.0;
+  for (size_t c = 0; c < 3; ++c) {
+    double squares = 0.0;
+    for (size_t i = 1; i < 4; ++i) {
+      const double f = weights[c] * band_one[c][i];
+      sum[i - 1] += f;
+      squares += f * f;
+    }
+    norms += std::sqrt(squares);
+  }
+  const double norm = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+  return norms == 0.0 ? 1.0 : norm / norms;
+}
+
 std::vector<std::vector<double>> BandOne(uint32_t format, const uint8_t* record) {
   if (format == GAUNT_FORMAT_ZH3_LUMA_8) return SharedRatios(format, record, 4);
   const std::vector<Coefficient> means = Rgb9e5(record);
@@ -297,7 +314,16 @@ std::vector<Coefficient> Zh3(uint32_t format, const uint8_t* record) {
                       Share(Signed(record, AxialBit(format, c), 8), 8);
     for (size_t m = 0; m < 5; ++m) ratios[static_cast<size_t>(c)][4 + m] = k2 * band[m];
   }
-  return WithMeans(record, ratios, std::sqrt(5.0));
+  std::vector<Coefficient> all = WithMeans(record, ratios, std::sqrt(5.0));
+  const double s = AxisCertainty(ratios);
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 4; i < 9; ++i) {
+      Coefficient& coefficient = all[static_cast<size_t>(9 * c + i)];
+      coefficient.most /= s;
+      coefficient.least /= s;
+    }
+  }
+  return all;
 }
 
 std::vector<Coefficient> Floats(const uint8_t* record) {

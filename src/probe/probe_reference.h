@@ -14,7 +14,7 @@ struct Coefficient {
   double value, step, least, most;
 };
 
-// All of a record, channel by channel.
+// All of a record, channel by channel. In band 2 of ZH3, `most` is over s of gaunt_zh3_solve().
 std::vector<Coefficient> ReadReference(uint32_t format, const uint8_t* record);
 
 // A number of a record of shared ratios or of ZH3 and what it stands for, in steps: a number q stands

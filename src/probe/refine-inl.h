@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refinement of encoded records: their numbers are changed one by one as long as that brings the
+// Refinement of encoded records: their numbers are changed one by one, where that brings the
 // irradiance closer to that of the light.
 #if defined(GAUNT_PROBE_REFINE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GAUNT_PROBE_REFINE_INL_H_
@@ -31,7 +31,8 @@ HWY_NOINLINE void RefineRecord(const K& k, const In& in, Record& record) {
   static constexpr FieldList kFields = FieldsOf<F>();
   typename K::template Slots<kPlanes<F>> decoded;
   DecodeRecord<F>(k, record.Read(), decoded);
-  V energy = ErrorEnergy<F>(k, in, decoded);
+  const V per_size = Div(k(1.0), SizeOfLight<F>(k, in));
+  V energy = ErrorEnergy<F>(k, in, decoded, per_size);
   for (const int step : kRefineSteps) {
     for (size_t f = 0; f < kFields.count; ++f) {
       const NumberField& field = kFields.fields[f];
@@ -41,7 +42,7 @@ HWY_NOINLINE void RefineRecord(const K& k, const In& in, Record& record) {
           k.AddToField(old, field.bit % 32, field.width, field.least, field.most, step);
       record.SetWord(word, changed);
       DecodeRecord<F>(k, record.Read(), decoded);
-      const V other = ErrorEnergy<F>(k, in, decoded);
+      const V other = ErrorEnergy<F>(k, in, decoded, per_size);
       const auto better = Lt(other, energy);
       energy = IfThenElse(better, other, energy);
       record.SetWord(word, IfThenElse(better, changed, old));
