@@ -443,9 +443,9 @@ TEST_P(Tetrahedra, SurviveAnyNeighbours) {
   for (int round = 0; round < 30; ++round) {
     Scene scene = MakeBox(random, 2, round % 2 == 0 ? 0.15 : 0.0, round % 3 == 0);
     for (size_t k = 0; k < scene.corners.size(); ++k) {
-      scene.neighbours.push_back(random.Bits() % 4 == 0
-                                     ? GAUNT_NO_PROBE
-                                     : static_cast<uint32_t>(random.Bits() % scene.size()));
+      const uint32_t other = static_cast<uint32_t>(random.Bits() % scene.size());
+      const bool is_none = random.Bits() % 4 == 0 || other == k / 4;  // its own it must not be
+      scene.neighbours.push_back(is_none ? GAUNT_NO_PROBE : other);
     }
     ASSERT_EQ(scene.Prepare(), GAUNT_OK);
     const std::vector<float> positions = MakePositions(random, 40, -1.0, 3.0);
@@ -571,6 +571,11 @@ TEST_P(Tetrahedra, RejectWrongArguments) {
       neighbours[k] = static_cast<uint32_t>(count) + (wrong == GAUNT_NO_PROBE ? 1000000 : 0);
       EXPECT_EQ(prepare(good, neighbours.data()), GAUNT_ERROR_RANGE);
     }
+  }
+  for (uint32_t k = 0; k < 4 * count; ++k) {  // its own neighbour
+    std::vector<uint32_t> neighbours(4 * count, GAUNT_NO_PROBE);
+    neighbours[k] = k / 4;
+    EXPECT_EQ(prepare(good, neighbours.data()), GAUNT_ERROR_RANGE);
   }
   for (const float wrong : {kNaN, kInfinity, -kInfinity, 2e15f, -2e15f}) {
     const float kept = scene.vertices.back();

@@ -1474,7 +1474,7 @@ typedef struct gaunt_grid {
  *   c + (tx, ty, tz) with the weight of the product of f where the bit is 1, and 1 - f where it is 0.
  * Weights are 0 or more, and add up to 1. Positions outside are those of the border next to them,
  * infinite ones too. A position with a NaN has no probe: GAUNT_NO_PROBE and 0 eight times. Where
- * size is 1, both probes along that axis are the same one, and the second has the weight 0.
+ * size is 1, both probes along that axis are the same one, and f is 0.
  *
  * grid       the probes
  * count      positions
@@ -1488,8 +1488,11 @@ typedef struct gaunt_grid {
  * indices    receives 8 count indices of the grid, or GAUNT_NO_PROBE
  * weights    receives 8 count weights
  *
- * Accuracy:  |error| of a weight <= 2.5e-7 (1 + |u|), |u| the largest of the three; of their sum
- *            2e-7, and 4e-7 where probes are not valid. Equal bits on all targets.
+ * Accuracy:  |error| of a weight <= E = 2.5e-7 + 1.8e-7 (u_x + u_y + u_z); of their sum 2e-7. Where
+ *            probes are not valid it is 2 E / S, of the sum S that weights are divided by, and that
+ *            of their sum 5e-7: S is small next to probes that are not valid, and what rounding of u
+ *            does grows as S falls; weights stay in 0 .. 1. Within 1.8e-7 u of a border between
+ *            cells, the cell may be either of them. Equal bits on all targets.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _STRUCT, _RANGE (what is said above, or an index beyond
  * 2^32 - 2), _LAYOUT, _OVERLAP.
@@ -1540,8 +1543,10 @@ typedef struct gaunt_bricks {
  * count, positions, valid, indices, weights  as for gaunt_grid_taps(); bits of `valid` are read up
  *            to probe_count - 1
  *
- * Accuracy:  |error| of a weight <= 2.5e-7 (1 + (probes - 1) (1 + |u| / s)); of their sum as for
- *            gaunt_grid_taps(). Equal bits on all targets.
+ * Accuracy:  as for gaunt_grid_taps(), where E is 2.5e-7 + 1.8e-7 times the sum of
+ *            v + (probes - 1) u / s of the three axes. Within 1.8e-7 u of a border between cells, or
+ *            1.8e-7 (v + (probes - 1) u / s) of one in a brick, the cell, and its brick, may be
+ *            either of them. Equal bits on all targets.
  * Overlap:   none.
  * Returns GAUNT_OK; GAUNT_ERROR_NULL, _STRUCT, _RANGE, _LAYOUT, _OVERLAP.
  */
@@ -1566,7 +1571,7 @@ GAUNT_API gaunt_status gaunt_brick_taps(const gaunt_bricks* bricks, const gaunt_
  * count         tetrahedra, 1 .. 2^28
  * corners       4 count indices of probes, each below vertex_count
  * neighbours    4 count indices of tetrahedra: 4 t + i is the one across the face of t that lies
- *               opposite its corner i, or GAUNT_NO_PROBE at the border. NULL: they are found, by
+ *               opposite its corner i, never t, or GAUNT_NO_PROBE at the border. NULL: found, by
  *               sorting all faces; of more than two tetrahedra at one face the first two are
  *               neighbours, the next two, and so on.
  * mesh          receives the bytes; NULL: only their number is wanted, and the other pointers may
@@ -1600,7 +1605,9 @@ GAUNT_API gaunt_status gaunt_tetrahedra_prepare(size_t vertex_count, const gaunt
  *
  * A position that is not finite has GAUNT_NO_PROBE and 0 four times.
  *
- * mesh        the bytes from gaunt_tetrahedra_prepare(), mesh_size of them
+ * mesh        the bytes from gaunt_tetrahedra_prepare(), mesh_size of them. Only the first 64, the
+ *             header, are checked: where others are damaged, indices and weights may be anything, NaN
+ *             too, but nothing outside mesh_size bytes is read
  * count       positions
  * positions   3 planes x, y, z
  * tetrahedra  count indices of tetrahedra, where walks begin; receives where they end. Best kept from

@@ -3,20 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace gaunt::grid {
 namespace {
 
 // Probes `indices` at the corners of a cell, and a position at `f` inside it.
-WeightsReference Blend(const uint32_t (&indices)[2][2][2], const double (&f)[3],
-                       const IsValid& is_valid) {
-  bool all = true;
+TapsReference Blend(const uint32_t (&indices)[2][2][2], const double (&f)[3],
+                    const IsValid& is_valid) {
+  TapsReference taps;
+  taps.corner = indices[0][0][0];
+  taps.all_valid = true;
   for (const auto& slice : indices) {
-    for (const auto& row : slice) all = all && is_valid(row[0]) && is_valid(row[1]);
+    for (const auto& row : slice) {
+      taps.all_valid = taps.all_valid && is_valid(row[0]) && is_valid(row[1]);
+    }
   }
-  const double least = all ? 0.0 : std::ldexp(1.0, -20);
-  WeightsReference weights;
-  double sum = 0.0;
+  const double least = taps.all_valid ? 0.0 : std::ldexp(1.0, -20);
   for (int z = 0; z < 2; ++z) {
     for (int y = 0; y < 2; ++y) {
       for (int x = 0; x < 2; ++x) {
@@ -29,19 +32,18 @@ WeightsReference Blend(const uint32_t (&indices)[2][2][2], const double (&f)[3],
           const double kept = std::min(std::max(f[a], least), 1.0 - least);
           weight *= 1.0 - std::abs(kept - corner[a]);
         }
-        sum += weight;
-        if (weight > 0.0) weights[index] += weight;
+        taps.sum += weight;
+        if (weight > 0.0) taps.weights[index] += weight;
       }
     }
   }
-  for (auto& [index, weight] : weights) weight /= sum;
-  return weights;
+  for (auto& [index, weight] : taps.weights) weight /= taps.sum;
+  return taps;
 }
 
 // A lattice of size^3 probes and a position in its coordinates.
-WeightsReference BlendLattice(const uint32_t (&size)[3], uint64_t first,
-                              const uint32_t (&strides)[3], const double (&u)[3],
-                              const IsValid& is_valid) {
+TapsReference BlendLattice(const uint32_t (&size)[3], uint64_t first, const uint32_t (&strides)[3],
+                           const double (&u)[3], const IsValid& is_valid) {
   uint64_t step[3] = {strides[0], strides[1], strides[2]};
   if (step[0] + step[1] + step[2] == 0) {
     step[0] = 1;
@@ -75,23 +77,29 @@ double CoordinateReference(double position, double origin, double spacing, doubl
   return std::min(std::max((position - origin) / spacing, 0.0), last);
 }
 
-WeightsReference GridReference(const gaunt_grid& grid, const float* position,
-                               const IsValid& is_valid) {
+TapsReference GridReference(const gaunt_grid& grid, const float* position, const IsValid& is_valid,
+                            const Nudge& nudge) {
   double u[3];
-  for (int a = 0; a < 3; ++a) {
+  for (size_t a = 0; a < 3; ++a) {
     if (std::isnan(position[a])) return {};
-    u[a] = CoordinateReference(position[a], grid.origin[a], grid.spacing[a], grid.size[a] - 1.0);
+    const double last = grid.size[a] - 1.0;
+    u[a] = CoordinateReference(position[a], grid.origin[a], grid.spacing[a], last);
+    u[a] = std::min(u[a] * (1.0 + nudge[a]), last);
   }
-  return BlendLattice(grid.size, grid.first, grid.strides, u, is_valid);
+  TapsReference taps = BlendLattice(grid.size, grid.first, grid.strides, u, is_valid);
+  taps.coordinates = u[0] + u[1] + u[2];
+  return taps;
 }
 
-WeightsReference BricksReference(const gaunt_bricks& bricks, const gaunt_brick_cell* cells,
-                                 const float* position, const IsValid& is_valid) {
+TapsReference BricksReference(const gaunt_bricks& bricks, const gaunt_brick_cell* cells,
+                              const float* position, const IsValid& is_valid, const Nudge& nudge) {
   double u[3];
   uint64_t cell[3];
-  for (int a = 0; a < 3; ++a) {
+  for (size_t a = 0; a < 3; ++a) {
     if (std::isnan(position[a])) return {};
-    u[a] = CoordinateReference(position[a], bricks.origin[a], bricks.spacing[a], bricks.size[a]);
+    const double last = bricks.size[a];
+    u[a] = CoordinateReference(position[a], bricks.origin[a], bricks.spacing[a], last);
+    u[a] = std::min(u[a] * (1.0 + nudge[a]), last);
     cell[a] = std::min<uint64_t>(static_cast<uint64_t>(u[a]), bricks.size[a] - 1);
   }
   const gaunt_brick_cell& named =
@@ -105,12 +113,15 @@ WeightsReference BricksReference(const gaunt_bricks& bricks, const gaunt_brick_c
       named.first + (edge - 1) * steps >= bricks.probe_count) {
     return {};
   }
-  double v[3];
+  double v[3], coordinates = 0.0;
   for (int a = 0; a < 3; ++a) {
     const double begin = static_cast<double>(cell[a] / named.size * named.size);
     v[a] = std::min((u[a] - begin) / named.size, 1.0) * (edge - 1.0);
+    coordinates += v[a] + (edge - 1.0) * u[a] / named.size;
   }
-  return BlendLattice({edge, edge, edge}, named.first, bricks.strides, v, is_valid);
+  TapsReference taps = BlendLattice({edge, edge, edge}, named.first, bricks.strides, v, is_valid);
+  taps.coordinates = coordinates;
+  return taps;
 }
 
 }  // namespace gaunt::grid

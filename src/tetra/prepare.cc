@@ -164,9 +164,10 @@ bool IsSound(uint32_t vertices, const simd::InView& positions, uint32_t tetrahed
   const size_t sides = size_t{tetrahedra} * kCorners;
   for (size_t i = 0; i < sides; ++i) {
     if (corners[i] >= vertices) return false;
-    if (neighbours != nullptr && neighbours[i] >= tetrahedra && neighbours[i] != kNone) {
-      return false;
-    }
+    if (neighbours == nullptr || neighbours[i] == kNone) continue;
+    // Walks would end at its own face, as if they were inside.
+    const bool is_own = neighbours[i] == i / kCorners;
+    if (neighbours[i] >= tetrahedra || is_own) return false;
   }
   for (size_t i = 0; i < vertices; ++i) {
     const Vertex vertex = LoadVertex(positions, i);
