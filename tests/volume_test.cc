@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "bad_input.h"
@@ -478,12 +479,18 @@ TEST_F(Volume, BlendsMatchTheDefinition) {
       ProbeFile(GAUNT_FORMAT_SH3_28, Encode(GAUNT_FORMAT_SH3_28, Decode(GAUNT_FORMAT_SH3_28, b))));
 }
 
+// Bands that the format lacks are lost, too.
 TEST_F(Volume, ErrorsMatchTheDefinition) {
   constexpr size_t kCount = 2 * kBlock + 33;
-  const double bands[] = {1.0, 2.0 / 3.0, 0.25};  // A_l / pi
-  for (const uint32_t format :
-       {GAUNT_FORMAT_SH3_28, GAUNT_FORMAT_SH2_13, GAUNT_FORMAT_RGB9E5, GAUNT_FORMAT_UNREAL_28}) {
-    const uint32_t order = EncodingOfFormat(format).order;
+  const double bands[] = {1.0, 2.0 / 3.0, 0.25, 0.0, -1.0 / 24.0, 0.0, 1.0 / 64.0};  // A_l / pi
+  const std::pair<uint32_t, uint32_t> cases[] = {
+      // format, order of the input
+      {GAUNT_FORMAT_SH3_28, 3},    {GAUNT_FORMAT_SH2_13, 2}, {GAUNT_FORMAT_RGB9E5, 1},
+      {GAUNT_FORMAT_UNREAL_28, 3}, {GAUNT_FORMAT_SH3_28, 1}, {GAUNT_FORMAT_SH3_28, 4},
+      {GAUNT_FORMAT_SH3_28, 7},    {GAUNT_FORMAT_SH2_13, 3}, {GAUNT_FORMAT_RGB9E5, 2},
+      {GAUNT_FORMAT_RGB9E5, 6}};
+  for (const auto& [format, order] : cases) {
+    const uint32_t kept_order = EncodingOfFormat(format).order;
     const size_t size = size_t{order} * order, planes = 3 * size;
     std::vector<float> probes = RandomProbes(kCount, order);
     // One that is far off, in the middle.
@@ -492,18 +499,19 @@ TEST_F(Volume, ErrorsMatchTheDefinition) {
     std::vector<float> finite = probes;
     probes[7 * planes] = std::numeric_limits<float>::quiet_NaN();
     probes[8 * planes + planes - 1] = std::numeric_limits<float>::infinity();
-    Converted(PackJob(format), Bytes(probes));
+    Converted(PackJob(format, order), Bytes(probes));
     const tool::EncodingErrors& errors = *summary_.errors;
     EXPECT_EQ(errors.finite, kCount - 2);
     EXPECT_EQ(errors.not_finite, 2u);
-    const std::vector<float> decoded = Decode(format, Encode(format, finite));
+    const std::vector<float> decoded = WithOrder(
+        Decode(format, Encode(format, WithOrder(finite, order, kept_order))), kept_order, order);
     double light = 0.0, rms = 0.0, worst_rms = 0.0, largest = 0.0, worst_largest = 0.0;
     for (size_t i = 0; i < kCount; ++i) {
       if (i == 7 || i == 8) continue;
-      double energy = 0.0, worst_channel = 0.0;
+      double energy = 0.0, worst_kept = 0.0, worst_dropped = 0.0;  // of a channel
       for (size_t c = 0; c < 3; ++c) {
         light += finite[i * planes + c * size] / std::sqrt(4.0 * kPi) / 3.0;
-        double sum = 0.0;
+        double kept = 0.0, dropped = 0.0;
         for (uint32_t l = 0; l < order; ++l) {
           double band = 0.0;
           for (size_t k = l * l; k < (l + 1) * (l + 1); ++k) {
@@ -511,15 +519,18 @@ TEST_F(Volume, ErrorsMatchTheDefinition) {
             band += std::pow(double{finite[at]} - double{decoded[at]}, 2);
           }
           energy += bands[l] * bands[l] * band;
-          sum += bands[l] * std::sqrt(band) * std::sqrt((2.0 * l + 1.0) / (4.0 * kPi));
+          (l < kept_order ? kept : dropped) +=
+              std::abs(bands[l]) * std::sqrt(band) * std::sqrt((2.0 * l + 1.0) / (4.0 * kPi));
         }
-        worst_channel = std::max(worst_channel, sum);
+        worst_kept = std::max(worst_kept, kept);
+        worst_dropped = std::max(worst_dropped, dropped);
       }
       const double one = std::sqrt(energy / (4.0 * kPi * 3.0));
+      const double bound = worst_kept + worst_dropped;
       rms += one;
       worst_rms = std::max(worst_rms, one);
-      largest += worst_channel;
-      worst_largest = std::max(worst_largest, worst_channel);
+      largest += bound;
+      worst_largest = std::max(worst_largest, bound);
     }
     const double tolerance = 1e-4;  // errors are small differences
     EXPECT_NEAR(errors.light, light, 1e-9 * light);
@@ -537,6 +548,37 @@ TEST_F(Volume, ErrorsMatchTheDefinition) {
   for (size_t channel = 0; channel < 36; ++channel) probes[4 * channel] = 0.5f;
   Converted(PackJob(GAUNT_FORMAT_SH2_13), Bytes(probes));
   EXPECT_EQ(summary_.errors->clamped, 12u * 9u);
+}
+
+TEST_F(Volume, ErrorsOfBandsThatTranscodingDrops) {
+  // A probe that every format holds exactly, but for band 2 of green: E/pi = 2 and a quarter of it.
+  std::vector<float> probe(27, 0.0f), other(27, 0.0f);
+  for (const size_t c : {0u, 1u, 2u}) probe[9 * c] = other[9 * c] = 2.0f;
+  probe[9 + 4] = 0.5f;
+  other[9 + 4] = -1.0f;
+  const auto file = [](const std::vector<float>& p) {
+    return ProbeFile(GAUNT_FORMAT_SH3_F32, Encode(GAUNT_FORMAT_SH3_F32, p));
+  };
+  const auto expect_band = [&](double coefficient) {
+    const double e = 0.25 * coefficient, peak = std::sqrt(5.0 / (4.0 * kPi));
+    EXPECT_NEAR(summary_.errors->rms, e / std::sqrt(4.0 * kPi * 3.0), 1e-8);
+    EXPECT_NEAR(summary_.errors->largest, e * peak, 1e-8);
+  };
+  ConvertJob job = TranscodeJob(GAUNT_FORMAT_RGB9E5);
+  Converted(job, file(probe));
+  expect_band(0.5);
+  // Of a blend; either volume may have the band.
+  job.blend = tool::ProbeBlend{{Path("other"), {}, 0}, 0.25f};
+  Write(Path("other"), file(other));
+  Converted(job, file(probe));
+  expect_band(0.75 * 0.5 - 0.25 * 1.0);
+  Converted(job,
+            ProbeFile(GAUNT_FORMAT_RGB9E5, Encode(GAUNT_FORMAT_RGB9E5, WithOrder(probe, 3, 1))));
+  expect_band(0.25 * 1.0);
+  // Floats have no errors, and no band but their own.
+  job.out = {Path("out"), EncodingOfFloats(1), true, 0, {}, false};
+  EXPECT_EQ(Floats(Converted(job, file(probe))), std::vector<float>(3, 2.0f));
+  EXPECT_FALSE(summary_.errors);
 }
 
 TEST_F(Volume, RefinedRecordsAreTheLibrarys) {

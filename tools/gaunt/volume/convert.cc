@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "evaluate/constants.h"
 #include "output_file.h"
 #include "volume/pipeline.h"
 
@@ -94,10 +95,44 @@ ProbeWriter Create(const ProbeOutput& out, const std::string& path, const ProbeR
   return {path, out.path, ProbeFileHeader{to.format, bytes, in.count(), grid}};
 }
 
+// Errors of E/pi of the probes of a tile whose bands from an order on are left out, by the equations
+// of gaunt_probe_encode().
+struct DroppedBands {
+  double mean_square[GAUNT_TILE_ITEMS] = {};  // over the sphere and the channels
+  double largest[GAUNT_TILE_ITEMS] = {};      // of a channel
+};
+
+DroppedBands ErrorsOfDroppedBands(const gaunt_view& view, uint32_t order, uint32_t from_order,
+                                  size_t first, ptrdiff_t items) {
+  const double sphere = 4.0 * std::acos(-1.0);
+  DroppedBands dropped;
+  for (size_t c = 0; c < 3; ++c) {
+    double sum[GAUNT_TILE_ITEMS] = {};  // of the largest of each band
+    for (size_t l = from_order; l < order; ++l) {
+      const double factor = std::abs(evaluate::CosineBand(static_cast<int>(l)));
+      if (factor == 0.0) continue;  // E has no such band
+      double squares[GAUNT_TILE_ITEMS] = {};
+      for (size_t k = l * l; k < (l + 1) * (l + 1); ++k) {
+        const Row row = RowOf(view, first, c * order * order + k);
+        for (ptrdiff_t i = 0; i < items; ++i) {
+          squares[i] += std::pow(double{row.data[i * row.step]}, 2);
+        }
+      }
+      const double peak = factor * std::sqrt((2.0 * static_cast<double>(l) + 1.0) / sphere);
+      for (ptrdiff_t i = 0; i < items; ++i) {
+        dropped.mean_square[i] += factor * factor * squares[i] / (3.0 * sphere);
+        sum[i] += peak * std::sqrt(squares[i]);
+      }
+    }
+    for (ptrdiff_t i = 0; i < items; ++i) dropped.largest[i] = std::max(dropped.largest[i], sum[i]);
+  }
+  return dropped;
+}
+
 // What a thread holds.
 struct Slot {
   ProbeBlock in, other, out;
-  Tiles tiles, other_tiles, decoded;
+  Tiles tiles, other_tiles, decoded, kept;
   std::vector<float> report;
   EncodingErrors errors;  // of the block
 };
@@ -106,7 +141,7 @@ class Converter {
  public:
   Converter(const ConvertJob& job, ProbeReader& in, ProbeReader* other, ProbeWriter& out,
             const std::function<void(double)>& progress)
-      : job_(job), in_(in), other_(other), out_(out), progress_(progress) {}
+      : job_(job), in_(in), other_(other), out_(out), progress_(progress), order_(Order()) {}
 
   bool copies() const {
     return other_ == nullptr && in_.encoding().format == out_.encoding().format &&
@@ -121,6 +156,16 @@ class Converter {
   }
 
  private:
+  // Floats need the output's bands alone, but the errors of a format are of all bands.
+  uint32_t Order() const {
+    const ProbeEncoding& to = out_.encoding();
+    if (to.format == 0) return to.order;
+    const uint32_t other = other_ != nullptr ? other_->encoding().order : 0;
+    return std::max({in_.encoding().order, other, to.order});
+  }
+
+  size_t Planes() const { return EncodingOfFloats(order_).planes(); }
+
   // Both, also at the end, where each looks whether anything follows.
   bool Read(Slot& slot) {
     const bool more = in_.Read(slot.in);
@@ -135,12 +180,12 @@ class Converter {
     if (copies()) {
       Copy(slot);
     } else {
-      const ProbeEncoding& to = out_.encoding();
+      const bool floats = out_.encoding().format == 0;
       const gaunt_view coefficients =
-          to.format == 0 ? FloatView(slot.out, out_.stride()) : slot.tiles.View(to.planes());
+          floats ? FloatView(slot.out, out_.stride()) : slot.tiles.View(Planes());
       Decode(in_, slot.in, slot, coefficients);
       if (other_ != nullptr) Blend(slot, coefficients);
-      if (to.format != 0) Encode(slot, coefficients);
+      if (!floats) Encode(slot, coefficients);
     }
     out_.Seal(slot.out);
   }
@@ -152,69 +197,77 @@ class Converter {
     }
   }
 
-  // To coefficients of the output's order.
+  // To coefficients of order_.
   void Decode(const ProbeReader& from, ProbeBlock& block, Slot& slot, const gaunt_view& to) const {
     const ProbeEncoding& encoding = from.encoding();
-    const uint32_t order = out_.encoding().order;
     if (encoding.format == 0) {
-      CopyBands(block.count, FloatView(block, from.stride()), encoding.order, to, order);
+      CopyBands(block.count, FloatView(block, from.stride()), encoding.order, to, order_);
       return;
     }
-    const bool direct = encoding.order == order;
+    const bool direct = encoding.order == order_;
     const gaunt_view decoded = direct ? to : slot.decoded.View(encoding.planes());
     Check(gaunt_probe_decode(encoding.format, block.count, block.bytes.data(), from.stride(),
                              &decoded));
-    if (!direct) CopyBands(block.count, decoded, encoding.order, to, order);
+    if (!direct) CopyBands(block.count, decoded, encoding.order, to, order_);
   }
 
   void Blend(Slot& slot, const gaunt_view& to) const {
-    const gaunt_view other = slot.other_tiles.View(out_.encoding().planes());
+    const gaunt_view other = slot.other_tiles.View(Planes());
     Decode(*other_, slot.other, slot, other);
     float weight = job_.blend->weight;
     gaunt_view weights;
     Check(gaunt_view_broadcast(&weight, &weights));
-    Check(gaunt_sh_blend(out_.encoding().order, 3, slot.in.count, &to, &other, &weights, &to));
+    Check(gaunt_sh_blend(order_, 3, slot.in.count, &to, &other, &weights, &to));
   }
 
   void Encode(Slot& slot, const gaunt_view& from) const {
+    const ProbeEncoding& to = out_.encoding();
+    const bool drops = order_ > to.order;
+    const gaunt_view kept = drops ? slot.kept.View(to.planes()) : from;
+    if (drops) CopyBands(slot.in.count, from, order_, kept, to.order);
     slot.report.resize(kBlockProbes * GAUNT_REPORT_PLANES);
     gaunt_view report;
     Check(gaunt_view_interleaved(slot.report.data(), GAUNT_REPORT_PLANES, &report));
     const auto encode = job_.out.refined ? gaunt_probe_encode_refined : gaunt_probe_encode;
-    Check(encode(out_.encoding().format, slot.in.count, &from, slot.out.bytes.data(), out_.stride(),
-                 &report));
+    Check(encode(to.format, slot.in.count, &kept, slot.out.bytes.data(), out_.stride(), &report));
     slot.errors = {};
     ForEachTile(slot.in.count,
                 [&](size_t first, ptrdiff_t items) { AddErrors(slot, from, first, items); });
   }
 
-  // Of a tile.
+  // Of a tile: what the report says, and the bands that the format lacks.
   void AddErrors(Slot& slot, const gaunt_view& from, size_t first, ptrdiff_t items) const {
     static const double kMeanOfOne = 1.0 / std::sqrt(4.0 * std::acos(-1.0));  // of E/pi, for L_0
-    const size_t planes = out_.encoding().planes(), size = planes / 3;
-    float zeros[GAUNT_TILE_ITEMS] = {};  // or NaN
+    const size_t planes = Planes(), size = planes / 3;
+    float nan_unless_finite[GAUNT_TILE_ITEMS] = {};  // 0 times each coefficient: 0, or NaN
     double light[GAUNT_TILE_ITEMS] = {};
     for (size_t p = 0; p < planes; ++p) {
       const Row row = RowOf(from, first, p);
-      for (ptrdiff_t i = 0; i < items; ++i) zeros[i] += 0.0f * row.data[i * row.step];
+      for (ptrdiff_t i = 0; i < items; ++i) nan_unless_finite[i] += 0.0f * row.data[i * row.step];
       if (p % size != 0) continue;
       for (ptrdiff_t i = 0; i < items; ++i) light[i] += kMeanOfOne / 3.0 * row.data[i * row.step];
     }
+    const DroppedBands dropped =
+        ErrorsOfDroppedBands(from, order_, out_.encoding().order, first, items);
     EncodingErrors& errors = slot.errors;
     for (ptrdiff_t i = 0; i < items; ++i) {
       const size_t item = first + static_cast<size_t>(i);
       const float* report = slot.report.data() + GAUNT_REPORT_PLANES * item;
       errors.clamped += static_cast<uint64_t>(report[GAUNT_REPORT_CLAMPED]);
-      if (zeros[i] != 0.0f) {
+      if (std::isnan(nan_unless_finite[i])) {
         ++errors.not_finite;
         continue;
       }
       ++errors.finite;
       errors.light += light[i];
-      errors.rms += report[GAUNT_REPORT_RMS];
-      errors.largest += report[GAUNT_REPORT_MAX];
-      errors.worst_rms.Add(report[GAUNT_REPORT_RMS], slot.in.first + item);
-      errors.worst_largest.Add(report[GAUNT_REPORT_MAX], slot.in.first + item);
+      // Bands are orthogonal: their squares add up. The largest errors may meet.
+      const double kept_rms = report[GAUNT_REPORT_RMS];
+      const double rms = std::sqrt(kept_rms * kept_rms + dropped.mean_square[i]);
+      const double largest = report[GAUNT_REPORT_MAX] + dropped.largest[i];
+      errors.rms += rms;
+      errors.largest += largest;
+      errors.worst_rms.Add(rms, slot.in.first + item);
+      errors.worst_largest.Add(largest, slot.in.first + item);
     }
   }
 
@@ -230,6 +283,7 @@ class Converter {
   ProbeReader* other_;
   ProbeWriter& out_;
   const std::function<void(double)>& progress_;
+  const uint32_t order_;  // of coefficients between input and output
   EncodingErrors errors_;
 };
 

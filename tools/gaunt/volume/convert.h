@@ -41,8 +41,8 @@ struct ConvertJob {
   uint64_t threads = 0;  // 0: one for each core
 };
 
-// What encoding lost, of E/pi, as gaunt_probe_encode() reports it: against the coefficients that went
-// into it, of the bands that the format has. Only of probes whose coefficients are all finite.
+// What encoding lost, of E/pi, as gaunt_probe_encode() reports it, against all bands of the input, or
+// of the blend: also those that the format lacks. Only of probes whose coefficients are all finite.
 struct EncodingErrors {
   struct Worst {
     double error = 0.0;
