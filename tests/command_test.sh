@@ -50,6 +50,26 @@ printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\n' >truncated.hdr
 rejects truncated.hdr frame --env truncated.hdr
 : >empty.hdr
 rejects empty.hdr frame --env empty.hdr
+# uniform BYTE: a panorama of 4 x 2 texels whose bytes, red, green, blue and exponent, are all the same.
+uniform() {
+  printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n'
+  printf "$1%.0s" {1..32}
+}
+uniform '\0' >black.hdr
+uniform '\200' >grey.hdr
+uniform '\377' >bright.hdr
+rejects missing.hdr formats missing.hdr
+rejects "black.hdr has no light" formats grey.hdr black.hdr
+rejects "bright.hdr is too bright" formats bright.hdr
+"$gaunt" formats grey.hdr >out.txt || fail "formats"
+grep -q '^sh3_28 ' out.txt && ! grep -q 'nan\|inf' out.txt || fail "formats: $(cat out.txt)"
+# 12 GiB of texels. Sanitizers do not start within such a limit.
+printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32768 +X 32768\n' >huge.hdr
+if (ulimit -v 4000000 && "$gaunt" info) >/dev/null 2>&1; then
+  (ulimit -v 4000000 && "$gaunt" formats huge.hdr >out.txt 2>err.txt)
+  [ $? -eq 1 ] && [ "$(cat err.txt)" = "gaunt: out of memory" ] ||
+    fail "a panorama beyond memory: $(cat err.txt)"
+fi
 printf 'a file' >taken
 rejects taken frame --out taken "${small[@]}"
 if [ "$(id -u)" -ne 0 ]; then
@@ -252,7 +272,11 @@ for format in sh2_13 sh5_55 rgb9e5; do
   grep -q " each as $format " out.txt || fail "format $format: no summary"
   grep -q '^scalar loop' out.txt && fail "format $format: times of other probes"
 done
-grep -q '^by steps: [0-9.]* ns per object: gather [0-9.]* lerp ' out.txt || fail "no steps"
+# by steps: SUM ns per object = gather TIME + lerp TIME ..., but for rounding.
+awk '/^by steps: [0-9.]+ ns per object = gather [0-9.]+ \+ lerp / {
+  for (k = 9; k <= NF; k += 3) sum += $k
+  found = (NF == 24 && (sum - $3) ^ 2 < 0.16)
+} END { exit !found }' out.txt || fail "steps: $(cat out.txt)"
 
 # Pictures depend neither on the run nor on the number of cores.
 "$gaunt" frame "${small[@]}" --json --out again >json.txt || fail "json"
@@ -361,6 +385,9 @@ grep -q '"errors"' json.txt && tr -d ' \n' <json.txt | grep -q '"origin":\[0.0,-
 cmp -s turned raw.bin || fail "a blend of equal volumes"
 cat three.probes | "$gaunt" unpack /dev/stdin --out /dev/stdout 2>err.txt | cmp -s - unpacked.bin &&
   grep -q '^3 probes from sh2_13' err.txt || fail "unpack through pipes: $(cat err.txt)"
+# Bands that the format lacks are errors, too.
+"$gaunt" pack order2.bin --format rgb9e5 --order 2 --out turned >out.txt || fail "pack to order 1"
+grep -q 'RMS 70.7 %, of the worst probe (0) 70.7 %$' out.txt || fail "errors of bands: $(cat out.txt)"
 rm turned
 for command in "pack order2.bin --format sh2_13" "unpack three.probes" "transcode three.probes --format rgb9e5"; do
   "$gaunt" $command --out /dev/full >out.txt 2>err.txt

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,9 @@ int Run(int argc, char** argv) {
   } catch (const gaunt::tool::BadInput& error) {
     PrintError(error.what());
     return gaunt::tool::kExitBadInput;
+  } catch (const std::bad_alloc&) {
+    PrintError("out of memory");
+    return gaunt::tool::kExitFailure;
   } catch (const std::exception& error) {
     PrintError(error.what());
     return gaunt::tool::kExitFailure;

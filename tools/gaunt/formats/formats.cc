@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -104,9 +105,9 @@ void PrintText(const std::vector<NamedLight>& lights, const std::vector<Row>& ro
   if (lights.empty()) return;
   fmt::print(
       "RMS error of the irradiance over the sphere and the channels, in % of its RMS, against {} "
-      "bands;\nadded: points above the same order unpacked; largest: mean of the largest errors, "
-      "in "
-      "% of the mean\n",
+      "bands;\n"
+      "added: points above the same order unpacked; "
+      "largest: mean of the largest errors, in % of the mean\n",
       kLightOrder);
 }
 
@@ -141,6 +142,17 @@ void DrawChart(const Gnuplot& gnuplot, const FormatsOptions& options, size_t lig
   DrawPictures(gnuplot, {{"probe_formats", FormatChart(conditions, marks)}}, options.out);
 }
 
+// Errors are relative to the light, so that there must be some, in the range of floats.
+Light LoadLight(const std::string& path) {
+  TexelReport report;
+  const Light light = ProjectLight(LoadPanorama(path, &report).Image());
+  float sum = 0.0f;  // no irradiance is larger
+  for (const float coefficient : light) sum += std::abs(coefficient);
+  if (sum == 0.0f) throw BadInput(path + " has no light");
+  if (!std::isfinite(sum)) throw BadInput(path + " is too bright: its irradiance is not finite");
+  return light;
+}
+
 void RunFormats(const FormatsOptions& options) {
   // Before any work: they fail.
   std::optional<Gnuplot> gnuplot;
@@ -153,9 +165,7 @@ void RunFormats(const FormatsOptions& options) {
   {
     Progress bar("projecting");
     for (const std::string& path : options.panoramas) {
-      TexelReport report;
-      lights.push_back({std::filesystem::path(path).stem().string(),
-                        ProjectLight(LoadPanorama(path, &report).Image())});
+      lights.push_back({std::filesystem::path(path).stem().string(), LoadLight(path)});
       bar.Set(static_cast<double>(lights.size()) / static_cast<double>(options.panoramas.size()));
     }
   }

@@ -14,7 +14,6 @@ namespace {
 
 constexpr float kAlpha = 0.25f;  // weight of a new frame
 constexpr int kDirections = 48;  // at which errors are measured
-constexpr int kStepFrames = 20;  // on which steps are timed
 
 double ThreadNanoseconds() {
   timespec now;
@@ -118,21 +117,6 @@ class ReferenceRun {
   std::vector<double> history_;
 };
 
-// The median frame of each step, per object: clocks run on while others have the core.
-StepTimes TimeSteps(const FrameInput& input, LightJob* job) {
-  std::vector<double> samples[kSteps];
-  for (int frame = 0; frame < kStepFrames; ++frame) {
-    StepTimes times = {};
-    job->RunSteps(input, &times);
-    for (size_t step = 0; step < kSteps; ++step) samples[step].push_back(times[step]);
-  }
-  StepTimes medians;
-  for (size_t step = 0; step < kSteps; ++step) {
-    medians[step] = TimingOf(samples[step], input.count).median;
-  }
-  return medians;
-}
-
 }  // namespace
 
 ContestResult RunContest(const ProbeVolume& volume, uint32_t format,
@@ -144,7 +128,7 @@ ContestResult RunContest(const ProbeVolume& volume, uint32_t format,
   ReferenceRun reference(count);
   // The scalar loops know one format.
   const int runs = format == GAUNT_FORMAT_SH3_28 ? 4 : 2;
-  std::vector<double> samples[4];
+  std::vector<double> samples[4], step_samples[kSteps];
   ContestResult result = {};
   FrameInput input = {};
   for (int frame = 0; frame < frames; ++frame) {
@@ -158,16 +142,18 @@ ContestResult RunContest(const ProbeVolume& volume, uint32_t format,
              kAlpha,
              objects->quaternions().data()};
     const uint8_t* rotates = objects->rotates().data();
+    StepTimes times = {};
     // In turn, so that a slow moment of the machine meets all of them.
     for (int turn = 0; turn < runs; ++turn) {
       const int who = (frame + turn) % runs;
       const double start = ThreadNanoseconds();
       if (who == 0) job.Run(input);
-      if (who == 1) steps.RunSteps(input);
+      if (who == 1) steps.RunSteps(input, &times);
       if (who == 2) a.Run(input, rotates);
       if (who == 3) a2.Run(input, rotates);
       samples[who].push_back(ThreadNanoseconds() - start);
     }
+    for (size_t k = 0; k < kSteps; ++k) step_samples[k].push_back(times[k]);
     reference.Blend(volume, *objects);
     if (progress) progress(static_cast<double>(frame + 1) / frames);
   }
@@ -175,9 +161,10 @@ ContestResult RunContest(const ProbeVolume& volume, uint32_t format,
   result.constants = job.constants();
   result.lights = job.lights();
   result.errors = ErrorsOf(result.constants, result.reference_constants);
-  result.steps = TimeSteps(input, &steps);
   result.gaunt = TimingOf(samples[0], count);
-  result.by_steps = TimingOf(samples[1], count);
+  for (size_t k = 0; k < kSteps; ++k) {
+    result.steps[k] = TimingOf(step_samples[k], count).median;
+  }
   if (runs == 4) {
     result.baselines = {{"A", GAUNT_BASELINE_COMPILER, TimingOf(samples[2], count)},
                         {"A2", GAUNT_BASELINE_COMPILER, TimingOf(samples[3], count)}};

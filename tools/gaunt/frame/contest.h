@@ -32,8 +32,7 @@ struct Errors {
 
 struct ContestResult {
   Timing gaunt;
-  Timing by_steps;                  // the same by the functions of the steps
-  StepTimes steps;                  // nanoseconds per object
+  StepTimes steps;                  // the same by the functions of the steps: medians of each
   std::vector<Baseline> baselines;  // of GAUNT_FORMAT_SH3_28 alone
   Errors errors;
   std::vector<float> constants, lights;                      // of the last frame, packed

@@ -234,7 +234,7 @@ void AddPack(CLI::App& app) {
   AddFormat(command, o);
   AddOrder(command, o,
            "Order of the input, by default the format's; bands that the format lacks are dropped, "
-           "those that the input lacks are 0");
+           "which the errors tell; those that the input lacks are 0");
   AddStride(command, "--stride", o->stride, "Bytes from probe to probe of the input");
   AddGrid(command, o);
   AddCommon(command, o);
