@@ -13,7 +13,7 @@ rows+="|product/.*/(tiled|interleaved)/1024/|product/product_mono/n[36]/"
 rows+="|probe/gather8_.*/tiled/1024/|probe/decode_.*/(tiled|planar)/(1024|1048576)/"
 rows+="|(zh3|grid|tetra|ambient_cube)/.*/(tiled|interleaved)/1024/"
 methods='AVX2|AVX3|by_steps|factored|engine|scalar|zxzxz|blocks|table|pairs|matrix|sparse'
-methods+='|/A|/A2|A_clang_native|A2_clang_native'
+methods+='|A|A2|A_clang_native|A2_clang_native'
 others='probe/decode_.*/(1024|1048576)/memcpy'
 others+='|frame/2000_objects_(2048|1000000)_probes_.*/AVX[23]$'
 

@@ -194,7 +194,7 @@ void AddFormat(CLI::App* command, const Options& o) {
   command->add_option("--format", o->format, "Format to write, " + FormatsHelp())->required();
   command->add_flag(
       "--refine", o->refined,
-      "Search for the records of least error, which takes some hundred times as long");
+      "Search for the records of least error, which takes 5 to 30 times as long");
 }
 
 void AddGrid(CLI::App* command, const Options& o) {
