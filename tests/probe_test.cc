@@ -329,6 +329,54 @@ TEST_P(Probe, SurvivesExtremeProbes) {
   }
 }
 
+// Light from one direction is at the bounds: nothing is cut off, and what comes back is as near as the
+// format's numbers are. Uniform light comes back as its mean.
+TEST_P(Probe, HoldsDirectionalAndUniformLight) {
+  Random random(17);
+  for (const Format& format : AllFormats()) {
+    const size_t size = format.planes / 3;
+    for (int item = 0; item < 60; ++item) {
+      SCOPED_TRACE(testing::Message() << Name(format) << " light " << item);
+      float d[3] = {0.0f, 0.0f, 0.0f};
+      if (item < 6) {
+        d[item / 2] = item % 2 == 0 ? 1.0f : -1.0f;
+      } else {
+        random.Direction(d);
+      }
+      const double direction[3] = {d[0], d[1], d[2]};
+      std::vector<double> y(size);
+      basis::EvalReference(static_cast<int>(format.order), direction, y.data());
+      std::vector<float> light(format.planes), decoded(format.planes);
+      for (size_t c = 0; c < 3; ++c) {
+        for (size_t i = 0; i < size; ++i) {
+          const bool is_there = item >= 3 || i == 0;
+          light[c * size + i] = is_there ? static_cast<float>(y[i]) : 0.0f;
+        }
+      }
+      std::vector<uint8_t> record(format.bytes);
+      float report[GAUNT_REPORT_PLANES];
+      gaunt_view in, out, vr;
+      gaunt_view_interleaved(light.data(), format.planes, &in);
+      gaunt_view_interleaved(decoded.data(), format.planes, &out);
+      gaunt_view_interleaved(report, GAUNT_REPORT_PLANES, &vr);
+      ASSERT_EQ(gaunt_probe_encode(format.id, 1, &in, record.data(), format.bytes, &vr), GAUNT_OK);
+      ASSERT_EQ(gaunt_probe_decode(format.id, 1, record.data(), format.bytes, &out), GAUNT_OK);
+      // Unity's range of x y, y z and x z is 4.6 % below the bound.
+      const bool clips = format.id == GAUNT_FORMAT_UNITY_L2_32;
+      if (!clips) {
+        EXPECT_EQ(report[GAUNT_REPORT_CLAMPED], 0.0f);
+      }
+      // White light has no colour, and ZH3 of one light is exact: all that is left is rounding. E does
+      // not have band 3.
+      for (size_t p = 0; p < format.planes; ++p) {
+        const size_t i = p % size;
+        if (i >= 9 && i < 16) continue;
+        EXPECT_NEAR(decoded[p], light[p], (clips ? 0.06 : 0.02) * double{light[0]} * BandBound(i));
+      }
+    }
+  }
+}
+
 // Squares of such errors are no floats.
 TEST_P(Probe, ReportsErrorsOfAnySize) {
   Random random(16);
