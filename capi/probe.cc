@@ -21,10 +21,8 @@ const FormatTable& KernelsOf(uint32_t format) {
   return gaunt::probe::Kernels().formats[format - 1];
 }
 
-// By one of the encoders of a format.
-gaunt_status Encode(decltype(FormatTable::encode) FormatTable::*encoder, uint32_t format,
-                    size_t count, const gaunt_view* in, void* packed, size_t stride,
-                    const gaunt_view* report) {
+gaunt_status Encode(bool refines, uint32_t format, size_t count, const gaunt_view* in, void* packed,
+                    size_t stride, const gaunt_view* report) {
   GAUNT_REQUIRE(IsFormat(format), GAUNT_ERROR_FORMAT);
   const FormatShape shape = ShapeOf(format);
   GAUNT_REQUIRE(stride >= shape.bytes, GAUNT_ERROR_RANGE);
@@ -35,8 +33,8 @@ gaunt_status Encode(decltype(FormatTable::encode) FormatTable::*encoder, uint32_
   if (count == 0) return GAUNT_OK;
   gaunt::simd::OutView report_view;
   if (report != nullptr) report_view = OutputOf(*report, count);
-  (KernelsOf(format).*encoder)(count, InputOf(*in, count), static_cast<uint8_t*>(packed), stride,
-                               report != nullptr ? &report_view : nullptr);
+  KernelsOf(format).encode(refines, count, InputOf(*in, count), static_cast<uint8_t*>(packed),
+                           stride, report != nullptr ? &report_view : nullptr);
   return GAUNT_OK;
 }
 
@@ -56,12 +54,12 @@ gaunt_status gaunt_format_info(uint32_t format, gaunt_format_properties* propert
 
 gaunt_status gaunt_probe_encode(uint32_t format, size_t count, const gaunt_view* in, void* packed,
                                 size_t stride, const gaunt_view* report) {
-  return Encode(&FormatTable::encode, format, count, in, packed, stride, report);
+  return Encode(false, format, count, in, packed, stride, report);
 }
 
 gaunt_status gaunt_probe_encode_refined(uint32_t format, size_t count, const gaunt_view* in,
                                         void* packed, size_t stride, const gaunt_view* report) {
-  return Encode(&FormatTable::encode_refined, format, count, in, packed, stride, report);
+  return Encode(true, format, count, in, packed, stride, report);
 }
 
 gaunt_status gaunt_probe_decode(uint32_t format, size_t count, const void* packed, size_t stride,

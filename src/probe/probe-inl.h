@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Encoding of probes.
+// Encoding of probes, and its errors.
 #if defined(GAUNT_PROBE_PROBE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GAUNT_PROBE_PROBE_INL_H_
 #undef GAUNT_PROBE_PROBE_INL_H_
@@ -12,18 +12,41 @@
 HWY_BEFORE_NAMESPACE();
 namespace gaunt::probe::HWY_NAMESPACE {
 
-// Coefficients to the words of records, which may then be refined; and, if wanted, the error of what
-// a decoder makes of them.
-template <class F, bool kRefines = false>
+// The three steps of encoding are kernels of their own: each is compiled once for a format.
+
+// Coefficients to the words of records, and how many numbers their ranges cut off.
+template <class F>
 struct Encode {
-  template <class K, class In, class Out, class... Report>
-  GAUNT_LANES void operator()(const K& k, const In& in, const Out& words,
-                              const Report&... report) const {
+  template <class K, class In, class Words, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& in, const Words& words,
+                              const Out& clamped) const {
     RecordOut<F::kBytes, K> record(k);
-    [[maybe_unused]] const auto clamped = FormatKernels<F>::Encode(k, in, record);
-    if constexpr (kRefines) RefineRecord<F>(k, in, record);
+    clamped(0, FormatKernels<F>::Encode(k, in, record));
     record.Write(words);
-    (WriteReport<F>(k, in, record.Read(), clamped, report), ...);
+  }
+};
+
+template <class F>
+struct Refine {
+  template <class K, class In, class InWords, class OutWords>
+  GAUNT_LANES void operator()(const K& k, const In& in, const InWords& from,
+                              const OutWords& to) const {
+    RecordOut<F::kBytes, K> record(k);
+    record.Load(from);
+    RefineRecord<F>(k, in, record);
+    record.Write(to);
+  }
+};
+
+// The error of what a decoder makes of them.
+template <class F>
+struct Report {
+  template <class K, class In, class InWords, class InClamped, class Out>
+  GAUNT_LANES void operator()(const K& k, const In& in, const InWords& words,
+                              const InClamped& clamped, const Out& report) const {
+    RecordOut<F::kBytes, K> record(k);
+    record.Load(words);
+    WriteReport<F>(k, in, record.Read(), clamped(0), report);
   }
 };
 

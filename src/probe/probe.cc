@@ -18,21 +18,27 @@ namespace gaunt::probe::HWY_NAMESPACE {
 
 constexpr size_t kEncodeChunk = 32;
 
-template <class F, bool kRefines>
-void EncodeBatch(size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
+template <class F>
+void EncodeBatch(bool refines, size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
                  const simd::OutView* report) {
-  using Kernel = Encode<F, kRefines && kCanRefine<F>>;
   constexpr size_t kWords = DenseWords<F::kBytes>::kCount;
   uint32_t words[kEncodeChunk * kWords];  // little-endian on every host
+  float clamped[kEncodeChunk];
+  float* const word_floats = reinterpret_cast<float*>(words);
   for (size_t done = 0; done < count; done += kEncodeChunk) {
     const size_t n = std::min(kEncodeChunk, count - done);
     In<kPlanes<F>> in_side(in, kPlanes<F>, done);
-    Out<kWords> word_side(simd::InterleavedOut(reinterpret_cast<float*>(words), kWords));
+    In<kWords> words_in(simd::InterleavedIn(word_floats, kWords));
+    Out<kWords> words_out(simd::InterleavedOut(word_floats, kWords));
+    ForEachBatch<RecordLanes>(n, Encode<F>(), in_side, words_out,
+                              Out<1>(simd::InterleavedOut(clamped, 1)));
+    if constexpr (kCanRefine<F>) {
+      if (refines) ForEachBatch<RecordLanes>(n, Refine<F>(), in_side, words_in, words_out);
+    }
     if (report != nullptr) {
-      ForEachBatch<RecordLanes>(n, Kernel(), in_side, word_side,
+      ForEachBatch<RecordLanes>(n, Report<F>(), in_side, words_in,
+                                In<1>(simd::InterleavedIn(clamped, 1)),
                                 Out<kReportPlanes>(*report, kReportPlanes, done));
-    } else {
-      ForEachBatch<RecordLanes>(n, Kernel(), in_side, word_side);
     }
     for (size_t i = 0; i < n; ++i) {
       std::memcpy(packed + (done + i) * stride, words + i * kWords, F::kBytes);
@@ -61,7 +67,7 @@ void GatherBatch(size_t order, size_t count, const Taps& taps, const PackedProbe
 
 template <class... F>
 constexpr Table MakeTable(FormatList<F...>) {
-  return {{{&EncodeBatch<F, false>, &EncodeBatch<F, true>, &DecodeBatch<F>, &GatherBatch<F>}...}};
+  return {{{&EncodeBatch<F>, &DecodeBatch<F>, &GatherBatch<F>}...}};
 }
 
 const Table* GetTable() {

@@ -35,10 +35,8 @@ using GatherFn = void (*)(size_t order, size_t count, const Taps& taps, const Pa
 
 struct FormatTable {
   // `report` is null or has kReportPlanes planes.
-  void (*encode)(size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
+  void (*encode)(bool refines, size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
                  const simd::OutView* report);
-  void (*encode_refined)(size_t count, const simd::InView& in, uint8_t* packed, size_t stride,
-                         const simd::OutView* report);
   void (*decode)(size_t count, const PackedProbes& packed, const simd::OutView& out);
   GatherFn gather;
 };

@@ -90,15 +90,16 @@ void AppendFormat(OperationRows& rows, const char* name) {
   append("probe_gather", "_8_taps", CountBlend<F, false>(8));
   append("probe_decode", "", CountBlend<F, true>(1));
   const CountPlanes planes;
+  const CountRecordLanes k;
   CountedOperations() = Operations();
-  HWY_NAMESPACE::Encode<F>()(CountRecordLanes(), planes, planes);
+  HWY_NAMESPACE::Encode<F>()(k, planes, planes, planes);
   append("probe_encode", "", CountedOperations());
-  CountedOperations() = Operations();
-  HWY_NAMESPACE::Encode<F>()(CountRecordLanes(), planes, planes, planes);
+  HWY_NAMESPACE::Report<F>()(k, planes, planes, planes, planes);
   append("probe_encode", "_report", CountedOperations());
   if constexpr (HWY_NAMESPACE::kCanRefine<F>) {
     CountedOperations() = Operations();
-    HWY_NAMESPACE::Encode<F, true>()(CountRecordLanes(), planes, planes, planes);
+    HWY_NAMESPACE::Encode<F>()(k, planes, planes, planes);
+    HWY_NAMESPACE::Refine<F>()(k, planes, planes, planes);
     append("probe_encode_refined", "", CountedOperations());
   }
 }

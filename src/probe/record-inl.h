@@ -229,6 +229,10 @@ class RecordOut {
     const auto shifted = k_.template Left<F::kShift>(bits);
     words_(F::kWord, k_.Or(words_(F::kWord), shifted));
   }
+  template <class In>
+  GAUNT_LANES void Load(const In& in) {
+    for (size_t word = 0; word < Words::kCount; ++word) words_(word, in(word));
+  }
   template <class Out>
   GAUNT_LANES void Write(const Out& out) const {
     for (size_t word = 0; word < Words::kCount; ++word) out(word, words_(word));

@@ -55,8 +55,8 @@ void Transcode(const FormatUse& from, const FormatUse& to, size_t count, const P
     }
     const bool same_order = from.shape.order == to.shape.order;
     if (!same_order) ChangeOrder(from.shape.order, decoded, to.shape.order, other);
-    to.kernels.encode(n, (same_order ? decoded : other).In(), packed + first * stride, stride,
-                      nullptr);
+    to.kernels.encode(false, n, (same_order ? decoded : other).In(), packed + first * stride,
+                      stride, nullptr);
   }
 }
 
