@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # check.sh [OPTION...]: installs what is missing with apt, builds everything, and runs all tests on every
 # SIMD target of this machine. Times are for two cores.
-#   (none)       release build with g++, tests, examples, benchmarks run once: 13 minutes
-#   --clang      the same with clang++: 13 minutes more
+#   (none)       release build with g++, tests, examples, benchmarks run once: 18 minutes
+#   --clang      the same with clang++: 18 minutes more
 #   --sanitize   tests of AVX2 under address and undefined-behaviour sanitizers: 6 minutes more
 #   --fuzz       a million inputs in each fuzzer, with clang++ and sanitizers: 5 minutes more
 #   --arm        tests on NEON, SVE and SVE2 under qemu-user: about an hour more
