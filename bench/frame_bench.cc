@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
-#include "bench/formats.h"
 #include "bench/frame_baseline.h"
 #include "bench/support.h"
+#include "format_table.h"
 #include "frame/job.h"
 
 GAUNT_DECLARE_FRAME_BASELINE(baseline)
@@ -192,7 +192,7 @@ GAUNT_BENCHMARKS(frame) {
     RegisterCase(from, name + "/");
     RegisterBaselines(from, name + "/");
     if (from.objects != 2000) continue;
-    for (const FormatName& format : kFormatNames) {
+    for (const tool::FormatName& format : tool::kFormatNames) {
       if (format.format == kMain) continue;
       FrameCase other = from;
       other.format = format.format;

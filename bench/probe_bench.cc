@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
 
-#include "bench/formats.h"
 #include "bench/support.h"
+#include "format_table.h"
 
 namespace gaunt::bench {
 namespace {
@@ -29,7 +29,7 @@ void RegisterCopy(const std::string& name, size_t planes) {
   RegisterScalar(copy);
 }
 
-void RegisterFormat(const FormatName& format) {
+void RegisterFormat(const tool::FormatName& format) {
   constexpr size_t kProbes = 2048;
   gaunt_format_properties properties = {sizeof(properties), 0, 0, 0};
   gaunt_format_info(format.format, &properties);
@@ -97,7 +97,7 @@ void RegisterFormat(const FormatName& format) {
 }  // namespace
 
 GAUNT_BENCHMARKS(probe) {
-  for (const FormatName& format : kFormatNames) RegisterFormat(format);
+  for (const tool::FormatName& format : tool::kFormatNames) RegisterFormat(format);
 }
 
 }  // namespace gaunt::bench

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The packed formats, as benchmarks name them.
-#ifndef GAUNT_BENCH_FORMATS_H_
-#define GAUNT_BENCH_FORMATS_H_
+// The packed formats and their names, for commands and benchmarks.
+#ifndef GAUNT_TOOLS_GAUNT_FORMAT_TABLE_H_
+#define GAUNT_TOOLS_GAUNT_FORMAT_TABLE_H_
 
 #include <cstdint>
 
 #include "gaunt/gaunt.h"
 
-namespace gaunt::bench {
+namespace gaunt::tool {
 
 struct FormatName {
   uint32_t format;
@@ -31,6 +31,6 @@ inline constexpr FormatName kFormatNames[] = {{GAUNT_FORMAT_SH3_28, "sh3_28"},
                                               {GAUNT_FORMAT_ZH3_LUMA_8, "zh3_luma_8"},
                                               {GAUNT_FORMAT_GODOT_L1_32, "godot_l1_32"}};
 
-}  // namespace gaunt::bench
+}  // namespace gaunt::tool
 
-#endif  // GAUNT_BENCH_FORMATS_H_
+#endif  // GAUNT_TOOLS_GAUNT_FORMAT_TABLE_H_
