@@ -5,7 +5,7 @@
 #   (none)       release build with g++, tests, examples, benchmarks run once: 18 minutes
 #   --clang      the same with clang++: 18 minutes more
 #   --sanitize   tests of AVX2 under address and undefined-behaviour sanitizers: 6 minutes more
-#   --fuzz       a million inputs in each fuzzer, with clang++ and sanitizers: 5 minutes more
+#   --fuzz       a million inputs in each fuzzer, with clang++ and sanitizers: 8 minutes more
 #   --arm        tests on NEON, SVE and SVE2 under qemu-user: about an hour more
 #   --all        all of these
 # Closes with the numbers of tests passed and failed.

@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const bool with_report = input.ConsumeBool();
   // Refinement takes long, so it is rare.
   const auto encode =
-      input.ConsumeIntegralInRange(0, 15) == 0 ? gaunt_probe_encode_refined : gaunt_probe_encode;
+      input.ConsumeIntegralInRange(0, 255) == 0 ? gaunt_probe_encode_refined : gaunt_probe_encode;
   probes.Fill(input);
 
   constexpr uint8_t kGap = 0xa5;
